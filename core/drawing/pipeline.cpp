@@ -444,6 +444,8 @@ bool Pipeline::draw(const DrawingPlan& plan, Stippling& drawn, const DrawingWatc
         RelaxingRequest relaxing = relaxing_of(plan, tile_->placer(), drawn.scale);
         if (is_streamed(plan, drawn.scale))
             relaxing.carried = carried(tile_->placer(), density, plan.placing, relaxing);
+        // What is shown before the end is seen by one warp more, which takes about as long as a step.
+        const bool warped = !relaxing.carried;
         stir(drawn.dots, density, relaxing);
         Relaxation relaxation(std::exchange(drawn.dots, {}), density, relaxing);
         for (const RelaxingStep& how : relaxing_steps(plan.steps, relaxing)) {
@@ -451,9 +453,12 @@ bool Pipeline::draw(const DrawingPlan& plan, Stippling& drawn, const DrawingWatc
             drawn.relax_ms += milliseconds_since(std::exchange(start, Clock::now()));
             if (how.kind == RelaxingStep::Kind::warp) continue;
             ++drawn.steps;
-            if (drawn.steps < plan.steps && watch.step &&
-                !watch.step(drawn, [&] { return sized(relaxation.dots()); }))
+            if (drawn.steps < plan.steps && watch.step && !watch.step(drawn, [&] {
+                    return sized(warped ? relaxation.dots_warped() : relaxation.dots());
+                })) {
+                if (warped) relaxation.step({RelaxingStep::Kind::warp});
                 break;
+            }
             start = Clock::now();
         }
         drawn.dots = relaxation.dots();

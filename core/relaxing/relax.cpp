@@ -216,16 +216,8 @@ bool Relaxation::step(const RelaxingStep& how, const std::stop_token& stop) {
     using Kind = RelaxingStep::Kind;
     if (how.kind != Kind::lloyd && request_.areas.differ()) find_areas(stop);
     if (how.kind == Kind::warp) {
-        if (!warp_)
-            warp_.emplace(density_, WarpRequest{.scale = request_.scale,
-                                                .dots = static_cast<double>(rows_.size()),
-                                                .areas = request_.areas,
-                                                .ink = request_.light,
-                                                .cut_off = request_.cut_off});
         if (stop.stop_requested()) return false;
-        const Displacement displacement = warp_->displacement(rows_);
-        if (stop.stop_requested()) return false;
-        warp(displacement);
+        warp_by_all();
         return true;
     }
     if (how.kind == Kind::energy && !request_.blurred)
@@ -243,6 +235,24 @@ bool Relaxation::step(const RelaxingStep& how, const std::stop_token& stop) {
     ++taken_;
     rows_.move(next_x_, next_y_, request_.threads);
     return true;
+}
+
+void Relaxation::warp_by_all() {
+    if (!warp_)
+        warp_ = std::make_shared<const Warp>(density_, WarpRequest{.scale = request_.scale,
+                                                                   .dots = static_cast<double>(rows_.size()),
+                                                                   .areas = request_.areas,
+                                                                   .ink = request_.light,
+                                                                   .cut_off = request_.cut_off});
+    warp(warp_->displacement(rows_));
+}
+
+DotPieces Relaxation::dots_warped() {
+    const DotRows before = rows_;
+    step({RelaxingStep::Kind::warp});
+    DotPieces result = dots();
+    rows_ = before;
+    return result;
 }
 
 void Relaxation::warp(const Displacement& displacement) {

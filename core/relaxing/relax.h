@@ -11,7 +11,6 @@
 
 #include <cstddef>
 #include <memory>
-#include <optional>
 #include <stop_token>
 #include <vector>
 
@@ -93,6 +92,9 @@ class Relaxation {
     /// whole.
     DotPieces dots() const;
 
+    /// The same as one warp more would leave them: what a drawing on its way is to be shown as.
+    DotPieces dots_warped();
+
     /// The dots as they lie now, in the order in which they were taken.
     Dots dots_as_taken() const;
 
@@ -103,6 +105,7 @@ class Relaxation {
     void find_areas(const std::stop_token& stop);
     void find_radii();
     void warp(const Displacement& displacement);
+    void warp_by_all();
 
     const Density& density_;
     RelaxingRequest request_;
@@ -110,7 +113,7 @@ class Relaxation {
     DotPieces placed_;
     DotRows rows_;
     DotRows::Positions next_x_, next_y_;
-    std::optional<Warp> warp_;
+    std::shared_ptr<const Warp> warp_;
     int taken_ = 0;
 };
 

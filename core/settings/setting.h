@@ -152,7 +152,7 @@ inline constexpr Setting relax{
         "In this many steps the dots move to where they lie evenly and show the picture best; more steps "
         "take longer",
     .more =
-        ". 0 to 100, or auto: 20 for up to 12,800 dots, 8 from 80,000 on, none for millions of them too "
+        ". 0 to 100, or auto: 12 for up to 13,600 dots, 7 from 40,000 on, none for millions of them too "
         "fine to see"};
 inline constexpr Setting settle_for{
     .names = {"settle_for", "Settle for", "--settle-for"},
