@@ -121,6 +121,7 @@ TEST_CASE(
 }
 
 TEST_CASE("of a relaxed dot the card tells the tile that it was placed in, whatever tile it lies in now") {
+    int elsewhere = 0;
     Workbench bench;
     // Its dots are placed, and relaxed as well; few of them appear at the same scale.
     Grid<float> light(30, 20);
@@ -159,7 +160,7 @@ TEST_CASE("of a relaxed dot the card tells the tile that it was placed in, whate
             return all;
         };
         const auto before = all_of(placed);
-        int alone = 0, found = 0, elsewhere = 0;
+        int alone = 0, found = 0;
         for (const auto& [key, dot] : all_of(relaxed)) {
             if (before.count(key) != 1) continue;
             const DotOrigin& origin = before.find(key)->second;
@@ -172,8 +173,8 @@ TEST_CASE("of a relaxed dot the card tells the tile that it was placed in, whate
         }
         CHECK(alone > 50);
         CHECK(found == alone);
-        CHECK(elsewhere > 0);
     }
+    CHECK(elsewhere > 0);
 }
 
 TEST_CASE("of a relaxed dot no tile is made up, and without thresholds nothing is said") {
