@@ -371,7 +371,7 @@ DrawingPlan Pipeline::plan(const DrawingRequest& asked, std::uint64_t most_dots)
     const std::optional<double> pens_width = width_of_pens(plan.pens);
     if (pens_width && plan.size.sizing == DotSizing::automatic)
         plan.size = {.sizing = DotSizing::fixed, .radius_mm = *pens_width / 2};
-    plan.histogram = histogram(plan.tone.exposure);
+    if (!plain_) plan.histogram = histogram(plan.tone.exposure);
     plan.usual_tone = plan.tone;
     if (!plain_) {
         plan.usual_tone = usual_tone(*plan.histogram, plan.tone, request.tone_strength);
@@ -442,10 +442,10 @@ bool Pipeline::draw(const DrawingPlan& plan, Stippling& drawn, const DrawingWatc
     if (relaxes && (!watch.step || watch.step(drawn, [&] { return sized(drawn.dots); }))) {
         auto start = Clock::now();
         RelaxingRequest relaxing = relaxing_of(plan, tile_->placer(), drawn.scale);
-        if (is_streamed(plan, drawn.scale))
+        if (is_streamed(plan, drawn.scale) && !relaxing.keeps_density)
             relaxing.carried = carried(tile_->placer(), density, plan.placing, relaxing);
         // What is shown before the end is seen by one warp more, which takes about as long as a step.
-        const bool warped = !relaxing.carried;
+        const bool warped = !relaxing.carried && !relaxing.keeps_density;
         stir(drawn.dots, density, relaxing);
         Relaxation relaxation(std::exchange(drawn.dots, {}), density, relaxing);
         for (const RelaxingStep& how : relaxing_steps(plan.steps, relaxing)) {

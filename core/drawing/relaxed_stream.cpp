@@ -135,7 +135,8 @@ std::shared_ptr<const Displacement> carried(Placer& placer, const Density& densi
 
 void share_work(Placer& placer, const Density& density, const PlacingRequest& placing, int steps,
                 RelaxingRequest& relaxing) {
-    if (!relaxing.carried) relaxing.carried = carried(placer, density, placing, relaxing);
+    if (!relaxing.carried && !relaxing.keeps_density)
+        relaxing.carried = carried(placer, density, placing, relaxing);
     for (const RelaxingStep& step : relaxing_steps(steps, relaxing)) {
         if (relaxing.blurred || step.kind != RelaxingStep::Kind::energy) continue;
         relaxing.blurred = std::make_shared<const BlurredDensity>(

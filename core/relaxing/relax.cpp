@@ -149,8 +149,9 @@ std::vector<RelaxingStep> relaxing_steps(int steps, const RelaxingRequest& reque
         else
             all.push_back(i % 2 == 1 ? kShort : kLong);
     }
-    if (request.carried) return all;
-    if (!request.keeps_density) all.insert(all.end() - 1, kWarp);
+    // Samples keep their share of each side of an edge, which a smooth displacement carries them over.
+    if (request.carried || request.keeps_density) return all;
+    all.insert(all.end() - 1, kWarp);
     all.insert(all.end(), 2, kWarp);
     return all;
 }

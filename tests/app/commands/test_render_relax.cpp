@@ -72,7 +72,7 @@ std::string with(const Scene& scene, const std::string& options, const std::stri
 TEST_CASE("--relax moves dots, loses none, and does so by itself") {
     const Scene scene;
     std::map<std::string, std::set<std::pair<std::string, std::string>>> places;
-    const std::string usual = "20";  // of so few dots
+    const std::string usual = "12";  // of so few dots
     for (const std::string& steps : {std::string("0"), std::string("3"), usual, std::string("auto")}) {
         draw(with(scene, "--dots 1500 --relax " + steps, "r.svg"));
         places[steps] = read_svg(scene("r.svg")).places();
