@@ -42,7 +42,7 @@ std::vector<Include> includes_below(const char* folder) {
             std::smatch match;
             if (!std::regex_search(line, match, include)) continue;
             const std::string to = room_of(match[1].str());
-            if (to != room_of(file))
+            if (to != room_of(file) && to != "core/maths")  // which is for all
                 found.push_back({room_of(file), to, file.generic_string() + " includes " + match[1].str()});
         }
     }
@@ -66,6 +66,7 @@ std::string against(const Arrows& arrows, const std::vector<Include>& includes) 
 
 TEST_CASE("each room of core knows only the rooms below it") {
     const Arrows arrows{
+        {"core/maths", {}},
         {"core/image", {}},
         {"core/text", {}},
         {"core/tile", {"core/text"}},

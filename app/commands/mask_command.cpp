@@ -17,6 +17,7 @@
 #include "app/files/png_file.h"
 #include "app/files/tile_library.h"
 #include "app/progress_line.h"
+#include "core/maths/portable_math.h"
 #include "core/screening/tile_mask.h"
 #include "core/text/numbers.h"
 
@@ -78,7 +79,7 @@ std::vector<std::filesystem::path> files_of(const std::filesystem::path& output,
 
 Grid<float> light_of(const std::filesystem::path& picture) {
     Picture read = read_with_remark(picture);
-    for (float& value : read.light.values) value *= std::exp2(read.exposure);
+    for (float& value : read.light.values) value *= portable::exp2(read.exposure);
     return std::move(read.light);
 }
 

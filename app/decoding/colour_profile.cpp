@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/image/tone.h"
+#include "core/maths/portable_math.h"
 
 namespace dapple {
 namespace {
@@ -35,15 +36,15 @@ constexpr float kPaperWhite = 203;  // cd/m2
 float pq_light(float stored) {
     constexpr float m1 = 2610.0f / 16384, m2 = 2523.0f / 4096 * 128, c1 = 3424.0f / 4096,
                     c2 = 2413.0f / 4096 * 32, c3 = 2392.0f / 4096 * 32, kMost = 10'000;
-    const float power = std::pow(std::clamp(stored, 0.0f, 1.0f), 1 / m2);
-    return kMost / kPaperWhite * std::pow(std::max(power - c1, 0.0f) / (c2 - c3 * power), 1 / m1);
+    const float power = portable::pow(std::clamp(stored, 0.0f, 1.0f), 1 / m2);
+    return kMost / kPaperWhite * portable::pow(std::max(power - c1, 0.0f) / (c2 - c3 * power), 1 / m1);
 }
 
 // Table 5.
 float hlg_light(float stored) {
     constexpr float a = 0.17883277f, b = 0.28466892f, c = 0.55991073f;
     const float value = std::clamp(stored, 0.0f, 1.0f);
-    return value <= 0.5f ? value * value / 3 : (std::exp((value - c) / a) + b) / 12;
+    return value <= 0.5f ? value * value / 3 : (portable::exp((value - c) / a) + b) / 12;
 }
 
 std::size_t level_of(float value) {
@@ -60,7 +61,7 @@ float Encoding::light(float stored) const {
         case Kind::srgb:
             return std::copysign(srgb_to_linear(std::abs(stored)), stored);
         case Kind::power:
-            return std::copysign(std::pow(std::abs(stored), gamma), stored);
+            return std::copysign(portable::pow(std::abs(stored), gamma), stored);
         case Kind::pq:
             return pq_light(stored);
         case Kind::hlg:
@@ -73,7 +74,7 @@ glm::vec3 shown_hlg(glm::vec3 seen) {
     constexpr float kScreen = 1000, kGamma = 1.2f;
     constexpr glm::vec3 kLuminance{0.2126f, 0.7152f, 0.0722f};
     const float luminance = std::max(glm::dot(seen, kLuminance), 0.0f);
-    return seen * (kScreen / kPaperWhite * std::pow(luminance, kGamma - 1));
+    return seen * (kScreen / kPaperWhite * portable::pow(luminance, kGamma - 1));
 }
 
 ColourProfile::ColourProfile(std::string_view icc, int values, const Encoding& usual) {

@@ -8,6 +8,7 @@
 
 #include "core/image/exposure.h"
 #include "core/image/tone.h"
+#include "core/maths/portable_math.h"
 
 namespace dapple {
 namespace {
@@ -77,7 +78,7 @@ Picture PictureBuilder::finish(std::string description, bool scene_light) {
     Picture picture;
     picture.pixels_in_one = pixels_in_one_;
     if (scene_light) picture.exposure = usual_exposure(light_);
-    const float gain = std::exp2(picture.exposure);
+    const float gain = portable::exp2(picture.exposure);
     picture.preview = Grid<glm::u8vec4>(preview_.width, preview_.height);
     for (std::size_t i = 0; i < preview_.values.size(); ++i) {
         const Sum& sum = preview_.values[i];

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cmath>
 #include <ostream>
 #include <stdexcept>
 #include <vector>
@@ -13,6 +12,7 @@
 #include "app/files/png_file.h"
 #include "core/lights/light_list.h"
 #include "core/lights/light_picture.h"
+#include "core/maths/portable_math.h"
 
 namespace dapple {
 namespace {
@@ -35,7 +35,8 @@ SphereConvention usual_convention(LightFile kind) {
 void write_picture(std::ostream& out, const EnvironmentMap& map, const LightSamples& lights, double stops) {
     std::vector<glm::dvec2> places;
     for (const LightSample& sample : lights.samples) places.push_back(sample.uv);
-    const Grid<glm::u8vec3> picture = light_picture(map, places, natural_exposure(map) * std::exp2(stops));
+    const Grid<glm::u8vec3> picture =
+        light_picture(map, places, natural_exposure(map) * portable::exp2(stops));
     write_png(out, {picture.width, picture.height, 96}, [&](const PixelSink& sink) { sink(picture); });
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/image/dot_areas.h"
+#include "core/maths/portable_math.h"
 #include "core/placing/page_density.h"
 
 namespace dapple {
@@ -35,7 +36,7 @@ bool has_to_cover(const Pen& pen, glm::vec3 paper) {
 // pens' dots as even as `among` does, and the pens' own steps.
 int steps_of_one_pen(int among) {
     constexpr int kOfPens = 4;
-    return among == 0 ? 0 : static_cast<int>(std::lround(std::pow(among / 2.0, 4))) + kOfPens;
+    return among == 0 ? 0 : static_cast<int>(std::lround(portable::pow(among / 2.0, 4))) + kOfPens;
 }
 
 // From shares of the paper that are seen to the density of each pen's dots.
@@ -194,7 +195,7 @@ class OverlappingDots {
         if (covered <= 0 || load <= 0) return 0;
         float share = covered / load;
         for (int round = 0; round < kRounds; ++round) {
-            const float twice = overlap * std::pow(share, power - 1);
+            const float twice = overlap * portable::pow(share, power - 1);
             const float slope = std::max(load - power * twice, kLeastSlope * load);
             share = std::min(share + (covered - share * (load - twice)) / slope, kMostShare);
         }
@@ -231,7 +232,7 @@ class OverlappingDots {
 // This and the powers above were measured on flat shares of two to four pens, of 3,000 to 40,000 dots relaxed
 // for 1 to 50 steps.
 int steps_among_pens(int steps) {
-    return static_cast<int>(std::lround(2 * std::pow(steps, 0.25)));
+    return static_cast<int>(std::lround(2 * portable::pow(steps, 0.25)));
 }
 
 Palette pens_for(const PenChoice& choice, const ColourGrid& colours, float exposure, glm::vec3 paper) {
@@ -241,7 +242,7 @@ Palette pens_for(const PenChoice& choice, const ColourGrid& colours, float expos
         const std::size_t pixels = colours.values.size();
         const std::size_t step = std::max<std::size_t>(pixels / kLookedAt, 1) | 1;
         for (std::size_t i = step / 2; i < pixels; i += step)
-            some.push_back(glm::clamp(unpacked(colours.values[i]) * std::exp2(exposure), 0.0f, 1.0f));
+            some.push_back(glm::clamp(unpacked(colours.values[i]) * portable::exp2(exposure), 0.0f, 1.0f));
         if (some.empty()) some.assign({glm::vec3(0.2f), glm::vec3(0.5f)});
         const bool from_own = chooses_from_own(choice);
         Palette candidates = choice.own;
@@ -312,7 +313,8 @@ PenDensities separated(const ColourTone& tone, const Separation& separation, std
 std::vector<double> dot_areas(std::span<const Pen> pens) {
     const double widest = width_of_pens(pens).value_or(1);
     std::vector<double> areas;
-    for (const Pen& pen : pens) areas.push_back(std::pow(2 * dot_radius_mm(pen, widest / 2) / widest, 2));
+    for (const Pen& pen : pens)
+        areas.push_back(portable::pow(2 * dot_radius_mm(pen, widest / 2) / widest, 2));
     return areas;
 }
 

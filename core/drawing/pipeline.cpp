@@ -11,6 +11,7 @@
 #include "core/image/detail.h"
 #include "core/image/exposure.h"
 #include "core/image/ink_use.h"
+#include "core/maths/portable_math.h"
 #include "core/placing/page_density.h"
 #include "core/relaxing/stir.h"
 
@@ -313,7 +314,7 @@ void Pipeline::tone_for(DrawingPlan& plan, const DrawingRequest& request) {
         make_density(scale);
         for (int round = 0; by_level() && round < 2 && plan.density->mean() > 0; ++round) {
             const double as_told = std::exchange(scale, scale_for(*plan.density, dots));
-            if (std::abs(std::log2(scale / as_told)) < kSameLevel) break;
+            if (std::abs(portable::log2(scale / as_told)) < kSameLevel) break;
             make_density(scale);
         }
         return;

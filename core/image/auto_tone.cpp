@@ -1,10 +1,10 @@
 #include "core/image/auto_tone.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "core/image/ink_use.h"
+#include "core/maths/portable_math.h"
 
 namespace dapple {
 
@@ -73,7 +73,7 @@ Tone auto_tone(const Histogram& histogram, const Tone& own, double strength) {
     const auto share = static_cast<float>(strength);
     tone.black_point = share * levels->black;
     tone.white_point = 1 + share * (levels->white - 1);
-    tone.gamma = std::pow((low + high) / 2, share);
+    tone.gamma = portable::pow((low + high) / 2, share);
     return tone;
 }
 

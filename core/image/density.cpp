@@ -7,6 +7,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "core/maths/portable_math.h"
+
 namespace dapple {
 
 namespace {
@@ -92,7 +94,8 @@ std::pair<std::int64_t, std::int64_t> Density::support(double from, double to) c
 
 void Density::build_pyramid() {
     const double pixels_per_square = kPixelsPerBaseSquare * (values_.values.size() > kLargePicture ? 2 : 1);
-    const int base_depth = std::max(0, static_cast<int>(std::floor(std::log2(longer_ / pixels_per_square))));
+    const int base_depth =
+        std::max(0, static_cast<int>(std::floor(portable::log2(longer_ / pixels_per_square))));
     pyramid_.resize(base_depth + 1);
     const glm::dvec2 corner = corner_pixel();
     for (int depth = 0; depth <= base_depth; ++depth) {

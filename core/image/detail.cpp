@@ -10,6 +10,7 @@
 
 #include "core/image/blur.h"
 #include "core/image/tone.h"
+#include "core/maths/portable_math.h"
 
 namespace dapple {
 
@@ -118,7 +119,7 @@ float limited(float change) {
 
 double detail_sigma(double pixels, double dots) {
     const double sigma = 4 * std::sqrt(pixels / std::max(dots, 1.0));
-    return std::exp2(std::round(2 * std::log2(sigma)) / 2);
+    return portable::exp2(std::round(2 * portable::log2(sigma)) / 2);
 }
 
 Grid<float> with_detail(Grid<float> light, double amount, double sigma_px) {

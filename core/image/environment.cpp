@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "core/maths/portable_math.h"
+
 namespace dapple {
 
 namespace {
@@ -61,7 +63,7 @@ EnvironmentMap::EnvironmentMap(Grid<glm::vec3> radiance) : radiance_(std::move(r
 double EnvironmentMap::solid_angle(int row) const {
     // cos a - cos b = 2 sin((a + b) / 2) sin((b - a) / 2), without the cancellation near the poles.
     const double half = kPi / height() / 2;
-    return 2 * kPi / width() * 2 * std::sin((2 * row + 1) * half) * std::sin(half);
+    return 2 * kPi / width() * 2 * portable::sin((2 * row + 1) * half) * portable::sin(half);
 }
 
 glm::dvec3 EnvironmentMap::at(glm::dvec2 uv) const {

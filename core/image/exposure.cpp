@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/maths/portable_math.h"
+
 namespace dapple {
 
 float usual_exposure(const Grid<float>& light) {
@@ -23,7 +25,7 @@ float usual_exposure(const Grid<float>& light) {
         if (!(v > 0) || !std::isfinite(v)) continue;
         lit.push_back(v);
         most = std::max(most, v);
-        logarithms += std::log2(v);
+        logarithms += std::log2(v);  // quicker, and rounded to tenths in the end
     }
     if (lit.empty()) return 0;
     const auto white =
@@ -32,15 +34,15 @@ float usual_exposure(const Grid<float>& light) {
     if (most <= kBrightest && *white >= kDark) return 0;
 
     const double mean = logarithms / static_cast<double>(lit.size());
-    const double stops =
-        std::clamp(-std::log2(double{*white}), std::log2(kLeastMean) - mean, std::log2(kMostMean) - mean);
+    const double stops = std::clamp(-portable::log2(double{*white}), portable::log2(kLeastMean) - mean,
+                                    portable::log2(kMostMean) - mean);
     const double limited = std::clamp<double>(stops, -kMostStops, kMostStops);
     return static_cast<float>(std::round(limited * 10) / 10);
 }
 
 Grid<float> exposed(Grid<float> light, float stops) {
     if (stops == 0) return light;
-    const float gain = std::exp2(stops);
+    const float gain = portable::exp2(stops);
     tbb::parallel_for(0, light.height, [&](int y) {
         float* const row = light.row(y);
         for (int x = 0; x < light.width; ++x) row[x] *= gain;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/image/tone.h"
+#include "core/maths/portable_math.h"
 
 namespace dapple {
 
@@ -16,7 +17,7 @@ namespace {
 // transfer function bends least: a power for each pixel would take ten times as long.
 class EncodedSteps {
  public:
-    explicit EncodedSteps(float exposure) : gain_(std::exp2(exposure)) {
+    explicit EncodedSteps(float exposure) : gain_(portable::exp2(exposure)) {
         for (int i = 0; i <= kRoots; ++i) {
             const float root = static_cast<float>(i) / kRoots;
             steps_[i] = linear_to_srgb(root * root) * Histogram::kSteps;

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/image/density.h"
+#include "core/maths/portable_math.h"
 
 namespace dapple {
 
@@ -186,7 +187,7 @@ float coverage_relaxed(int steps, float load) {
 float coverage_of(const InkedDots& dots, double density, float load) {
     if (!depends_on_level(dots.relaxing_steps)) return coverage_relaxed(dots.relaxing_steps, load);
     if (!dots.level) return mean_over_levels(dots.relaxing_steps, load);
-    return coverage_by_level(dots.relaxing_steps, *dots.level + std::log2(density) / 2, load);
+    return coverage_by_level(dots.relaxing_steps, *dots.level + portable::log2(density) / 2, load);
 }
 
 // The load that covers as much as black does.
@@ -205,7 +206,7 @@ double load_of_black(const InkedDots& dots) {
 }  // namespace
 
 double level_of(double scale, std::size_t tile_size) {
-    return std::log2(kDotsPerScale * scale / static_cast<double>(tile_size)) / 2;
+    return portable::log2(kDotsPerScale * scale / static_cast<double>(tile_size)) / 2;
 }
 
 bool depends_on_level(int relaxing_steps) {
@@ -214,7 +215,7 @@ bool depends_on_level(int relaxing_steps) {
 
 double usual_black(double dots) {
     constexpr double kFew = 5'000, kMany = 100'000, kOpen = 0.9;
-    const double way = std::log(std::max(dots, 1.0) / kFew) / std::log(kMany / kFew);
+    const double way = portable::log(std::max(dots, 1.0) / kFew) / portable::log(kMany / kFew);
     return std::round(100 * std::lerp(kOpen, 1.0, std::clamp(way, 0.0, 1.0))) / 100;
 }
 
@@ -268,7 +269,7 @@ float InkCurve::opened(float ink) const {
     // A power, which bends where it is dark; the darkest tones keep three tenths of their contrast and more.
     constexpr float kHighestPower = 6, kLostContrast = 0.7f;
     const float lost = 1 - black_;
-    return ink - lost * std::pow(ink, std::min(kLostContrast / lost, kHighestPower));
+    return ink - lost * portable::pow(ink, std::min(kLostContrast / lost, kHighestPower));
 }
 
 float InkCurve::density(float coverage) const {

@@ -9,6 +9,7 @@
 
 #include "core/image/refinement.h"
 #include "core/image/tone.h"
+#include "core/maths/portable_math.h"
 
 namespace dapple {
 namespace {
@@ -101,7 +102,7 @@ Mask with_fineness(const Mask& mask, const Grid<float>& light) {
 float mask_factor(float level) {
     constexpr float kNeutral = kNeutralLevel;
     if (level <= kNeutral) return level / kNeutral;
-    return std::exp2(kMostStopsOfMask * (level - kNeutral) / (255 - kNeutral));
+    return portable::exp2(kMostStopsOfMask * (level - kNeutral) / (255 - kNeutral));
 }
 
 Grid<float> masked(Grid<float> density, const Mask& mask, const Framing& framing, glm::ivec2 picture) {

@@ -1,9 +1,10 @@
 #include "core/image/sky.h"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
+
+#include "core/maths/portable_math.h"
 
 namespace dapple {
 
@@ -15,8 +16,8 @@ constexpr int kSamplesAlongTexel = 8;  // for the sun's edge
 // y up.
 glm::dvec3 towards(double u, double elevation) {
     const double around = 2 * kPi * u;
-    return {std::cos(elevation) * std::cos(around), std::sin(elevation),
-            std::cos(elevation) * std::sin(around)};
+    return {portable::cos(elevation) * portable::cos(around), portable::sin(elevation),
+            portable::cos(elevation) * portable::sin(around)};
 }
 
 // 0..1, smooth, without a seam: a plane of cloud overhead, folded by sines of many sizes.
@@ -25,8 +26,8 @@ double cloud(const glm::dvec3& d) {
     double sum = 0, size = 1;
     glm::dvec2 q = p * 0.9;
     for (int octave = 0; octave < 5; ++octave) {
-        q += 0.7 * glm::dvec2(std::sin(1.9 * q.y + octave), std::sin(1.7 * q.x + 2.0 * octave));
-        sum += size * std::sin(q.x) * std::sin(q.y + 0.5);
+        q += 0.7 * glm::dvec2(portable::sin(1.9 * q.y + octave), portable::sin(1.7 * q.x + 2.0 * octave));
+        sum += size * portable::sin(q.x) * portable::sin(q.y + 0.5);
         size *= 0.5;
         q = glm::dvec2(q.x * 1.6 - q.y * 1.2, q.x * 1.2 + q.y * 1.6);
     }
@@ -35,12 +36,12 @@ double cloud(const glm::dvec3& d) {
 
 glm::dvec3 vault(const glm::dvec3& d, const glm::dvec3& sun, double clouds) {
     const glm::dvec3 zenith{0.18, 0.36, 0.85}, horizon{0.95, 0.97, 1.0}, glow{1.0, 0.85, 0.6};
-    const double low = std::exp(-5 * std::max(d.y, 0.0));
+    const double low = portable::exp(-5 * std::max(d.y, 0.0));
     const double near_sun = std::max(glm::dot(d, sun), 0.0);
     glm::dvec3 light = zenith * (1 - low) + horizon * low;
-    light += glow * (0.5 * std::pow(near_sun, 8) + 6 * std::pow(near_sun, 300));
+    light += glow * (0.5 * portable::pow(near_sun, 8) + 6 * portable::pow(near_sun, 300));
     const double cover = clouds * cloud(d);
-    return light * (1 - 0.8 * cover) + cover * glm::dvec3(1.6, 1.55, 1.5) * (1 + std::pow(near_sun, 20));
+    return light * (1 - 0.8 * cover) + cover * glm::dvec3(1.6, 1.55, 1.5) * (1 + portable::pow(near_sun, 20));
 }
 
 }  // namespace
@@ -48,9 +49,9 @@ glm::dvec3 vault(const glm::dvec3& d, const glm::dvec3& sun, double clouds) {
 EnvironmentMap sky_map(const Sky& sky) {
     const int width = 2 * sky.height, height = sky.height;
     const glm::dvec3 sun = towards(sky.sun_u, sky.sun_elevation * kPi / 180);
-    const double edge = std::cos(sky.sun_radius * kPi / 180);
+    const double edge = portable::cos(sky.sun_radius * kPi / 180);
     const double texel = kPi / height;
-    const double reach = std::cos(std::min(sky.sun_radius * kPi / 180 + 2 * texel, kPi));
+    const double reach = portable::cos(std::min(sky.sun_radius * kPi / 180 + 2 * texel, kPi));
     const glm::dvec3 ground = glm::dvec3(0.16, 0.12, 0.08) * (0.6 + 1.4 * std::max(sun.y, 0.0));
 
     Grid<glm::vec3> radiance(width, height);

@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "core/image/blur.h"
+#include "core/maths/portable_math.h"
 
 namespace dapple {
 
@@ -21,9 +22,9 @@ float toned(float light, const Tone& tone) {
     v = (v - tone.black_point) / std::max(tone.white_point - tone.black_point, 1e-4f);
     v = std::clamp(v, 0.0f, 1.0f);
     // A straight line about mid-grey: level at -1, upright at 1.
-    const float slope = std::tan((std::min(tone.contrast, 0.999f) + 1) * std::numbers::pi_v<float> / 4);
+    const float slope = portable::tan((std::min(tone.contrast, 0.999f) + 1) * std::numbers::pi_v<float> / 4);
     v = std::clamp((v - 0.5f) * slope + 0.5f + tone.brightness, 0.0f, 1.0f);
-    v = std::pow(v, 1 / tone.gamma);
+    v = portable::pow(v, 1 / tone.gamma);
     return srgb_to_linear(v);
 }
 
@@ -59,11 +60,11 @@ class ToneCurve {
 }  // namespace
 
 float srgb_to_linear(float encoded) {
-    return encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);
+    return encoded <= 0.04045f ? encoded / 12.92f : portable::pow((encoded + 0.055f) / 1.055f, 2.4f);
 }
 
 float linear_to_srgb(float linear) {
-    return linear <= 0.0031308f ? linear * 12.92f : 1.055f * std::pow(linear, 1 / 2.4f) - 0.055f;
+    return linear <= 0.0031308f ? linear * 12.92f : 1.055f * portable::pow(linear, 1 / 2.4f) - 0.055f;
 }
 
 namespace {

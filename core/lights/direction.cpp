@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "core/maths/portable_math.h"
+
 namespace dapple {
 
 namespace {
@@ -36,16 +38,19 @@ Frame frame_of(SphereConvention convention) {
 glm::dvec3 direction_of(glm::dvec2 uv, SphereConvention convention) {
     const Frame frame = frame_of(convention);
     const double around = 2 * kPi * (0.5 - uv.x), theta = kPi * uv.y;
-    return std::sin(theta) * (std::cos(around) * frame.centre + std::sin(around) * frame.quarter) +
-           std::cos(theta) * frame.up;
+    return portable::sin(theta) *
+               (portable::cos(around) * frame.centre + portable::sin(around) * frame.quarter) +
+           portable::cos(theta) * frame.up;
 }
 
 glm::dvec2 uv_of(glm::dvec3 direction, SphereConvention convention) {
     const Frame frame = frame_of(convention);
     const double forward = glm::dot(direction, frame.centre), sideways = glm::dot(direction, frame.quarter);
-    double u = 0.5 - std::atan2(sideways, forward) / (2 * kPi);
+    double u = 0.5 - portable::atan2(sideways, forward) / (2 * kPi);
     if (u >= 1) u -= 1;
-    const double v = std::atan2(std::hypot(forward, sideways), glm::dot(direction, frame.up)) / kPi;
+    const double v =
+        portable::atan2(std::sqrt(forward * forward + sideways * sideways), glm::dot(direction, frame.up)) /
+        kPi;
     return {std::max(u, 0.0), v};
 }
 
@@ -53,7 +58,8 @@ glm::dvec3 turned_about_up(glm::dvec3 direction, double degrees, SphereConventio
     const glm::dvec3 up = frame_of(convention).up;
     const double angle = degrees * kPi / 180;
     const glm::dvec3 along = glm::dot(direction, up) * up;
-    return along + std::cos(angle) * (direction - along) + std::sin(angle) * glm::cross(up, direction);
+    return along + portable::cos(angle) * (direction - along) +
+           portable::sin(angle) * glm::cross(up, direction);
 }
 
 }  // namespace dapple

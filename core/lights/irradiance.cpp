@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "core/lights/direction.h"
+#include "core/maths/portable_math.h"
 
 namespace dapple {
 
@@ -94,7 +95,8 @@ std::vector<glm::dvec3> fibonacci_normals(int count) {
     std::vector<glm::dvec3> normals(count);
     for (int i = 0; i < count; ++i) {
         const double height = 1 - (2 * i + 1.0) / count, radius = std::sqrt(1 - height * height);
-        normals[i] = {radius * std::cos(i * kGoldenAngle), height, radius * std::sin(i * kGoldenAngle)};
+        normals[i] = {radius * portable::cos(i * kGoldenAngle), height,
+                      radius * portable::sin(i * kGoldenAngle)};
     }
     return normals;
 }

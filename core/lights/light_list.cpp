@@ -5,6 +5,7 @@
 #include <numbers>
 #include <string>
 
+#include "core/maths/portable_math.h"
 #include "core/text/text_buffer.h"
 
 namespace dapple {
@@ -81,7 +82,7 @@ glm::dvec3 direction_of(const LightSample& sample, const LightListStyle& style) 
 
 double angular_radius(const LightSample& sample, std::size_t samples) {
     const double solid_angle = 1 / (static_cast<double>(samples) * sample.pdf);
-    return std::acos(std::clamp(1 - solid_angle / (2 * std::numbers::pi), -1.0, 1.0)) * 180 /
+    return portable::acos(std::clamp(1 - solid_angle / (2 * std::numbers::pi), -1.0, 1.0)) * 180 /
            std::numbers::pi;
 }
 

@@ -1,11 +1,11 @@
 #include "core/lights/light_picture.h"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "core/image/linear_colour.h"
+#include "core/maths/portable_math.h"
 
 namespace dapple {
 
@@ -37,14 +37,20 @@ double natural_exposure(const EnvironmentMap& map) {
     double sum = 0, area = 0;
     for (int y = 0; y < map.height(); ++y) {
         const double weight = map.solid_angle(y);
+        double lights = 1;  // four at most, whose product is within a double's range: fewer logarithms
         for (int x = 0; x < map.width(); ++x) {
             const double light = luminance(map.radiance().at(x, y));
-            if (!(light > 0)) continue;
-            sum += weight * std::log(light);
-            area += weight;
+            if (light > 0) {
+                lights *= light;
+                area += weight;
+            }
+            if (x % 4 < 3) continue;
+            sum += weight * portable::log(lights);
+            lights = 1;
         }
+        sum += weight * portable::log(lights);
     }
-    return area > 0 ? 0.18 / std::exp(sum / area) : 1;
+    return area > 0 ? 0.18 / portable::exp(sum / area) : 1;
 }
 
 glm::u8vec3 tone_mapped(const glm::dvec3& radiance, double exposure) {

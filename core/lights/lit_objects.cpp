@@ -12,6 +12,7 @@
 
 #include "core/lights/direction.h"
 #include "core/lights/light_picture.h"
+#include "core/maths/portable_math.h"
 
 namespace dapple {
 
@@ -68,7 +69,7 @@ RelativeError difference(const IrradianceMap& found, const IrradianceMap& exact)
     std::vector<double> weights;
     for (int y = 0; y < exact.values().height; ++y)
         weights.resize(weights.size() + static_cast<std::size_t>(exact.values().width),
-                       std::sin(std::numbers::pi * place_of(exact.values(), 0, y).y));
+                       portable::sin(std::numbers::pi * place_of(exact.values(), 0, y).y));
     return relative_error(found.values().values, exact.values().values, weights);
 }
 
@@ -145,22 +146,22 @@ class Sight {
         const double covered = std::clamp((1 - away) * pixels + 0.5, 0.0, 1.0);
         if (away > 1) at /= away;
         const double towards = std::sqrt(std::max(0.0, 1 - glm::dot(at, at)));
-        const glm::dvec3 right(-1, 0, 0), up(0, std::cos(down), std::sin(down)),
-            view(0, -std::sin(down), std::cos(down));
+        const glm::dvec3 right(-1, 0, 0), up(0, portable::cos(down), portable::sin(down)),
+            view(0, -portable::sin(down), portable::cos(down));
         return {radiance(at.x * right + at.y * up - towards * view, view), covered};
     }
 
     Seen shaded(glm::dvec2 at) const {
         const double a_radius = radius_ / ShadedGround::kRadius;  // pixels
-        const Seen ball =
-            sphere(at - glm::dvec2(0, std::cos(down_)), a_radius, down_, [&](glm::dvec3 normal, glm::dvec3) {
-                return objects_.from_above.at(turned(normal)) / std::numbers::pi;
-            });
-        glm::dvec2 place(-at.x, at.y / std::sin(down_));
+        const Seen ball = sphere(at - glm::dvec2(0, portable::cos(down_)), a_radius, down_,
+                                 [&](glm::dvec3 normal, glm::dvec3) {
+                                     return objects_.from_above.at(turned(normal)) / std::numbers::pi;
+                                 });
+        glm::dvec2 place(-at.x, at.y / portable::sin(down_));
         const double away = glm::length(place);
         // How fast it grows from pixel to pixel.
         const double slope =
-            glm::length(glm::dvec2(place.x, place.y / std::sin(down_))) / std::max(away, 1e-9);
+            glm::length(glm::dvec2(place.x, place.y / portable::sin(down_))) / std::max(away, 1e-9);
         const double covered =
             away > 1 ? std::clamp((ShadedGround::kRadius - away) / slope * a_radius + 0.5, 0.0, 1.0) : 1;
         if (away > ShadedGround::kRadius) place *= ShadedGround::kRadius / away;

@@ -1,12 +1,12 @@
 #include "core/lights/regions.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numbers>
 #include <utility>
 
 #include "core/lights/direction.h"
+#include "core/maths/portable_math.h"
 #include "core/tile/random.h"
 
 namespace dapple {
@@ -62,8 +62,8 @@ struct Ring {
 
     Ring(int count, double first, double step) : cosine(count), sine(count) {
         for (int i = 0; i < count; ++i) {
-            cosine[i] = std::cos(first + i * step);
-            sine[i] = std::sin(first + i * step);
+            cosine[i] = portable::cos(first + i * step);
+            sine[i] = portable::sin(first + i * step);
         }
     }
 };
@@ -208,7 +208,7 @@ RowPart part_of_row(const EnvironmentMap& map, int row, Side side) {
     if (side == Side::above && row == 0) centre = 0.25;
     if (side == Side::below && row == height - 1) centre = height - 0.25;
     const double theta = std::numbers::pi * centre / height;
-    return {std::sin(theta), std::cos(theta), map.solid_angle(row) / 2};
+    return {portable::sin(theta), portable::cos(theta), map.solid_angle(row) / 2};
 }
 
 void add(LightRegion& whole, const Pair& pair, const RowPart& part) {

@@ -1,6 +1,6 @@
 #include "core/lights/sampler_comparison.h"
 
-#include <cmath>
+#include "core/maths/portable_math.h"
 
 namespace dapple {
 
@@ -10,7 +10,7 @@ double slope_of(std::span<const std::uint64_t> counts, std::span<const RelativeE
     double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
     for (std::size_t i = 0; i < counts.size(); ++i) {
         if (!(errors[i].mean > 0)) continue;
-        const double x = std::log(static_cast<double>(counts[i])), y = std::log(errors[i].mean);
+        const double x = portable::log(static_cast<double>(counts[i])), y = portable::log(errors[i].mean);
         n += 1, sx += x, sy += y, sxx += x * x, sxy += x * y;
     }
     const double spread = n * sxx - sx * sx;

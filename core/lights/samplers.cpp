@@ -9,6 +9,7 @@
 #include "core/lights/direction.h"
 #include "core/lights/light_samples.h"
 #include "core/lights/sobol.h"
+#include "core/maths/portable_math.h"
 #include "core/tile/random.h"
 
 namespace dapple {
@@ -34,7 +35,7 @@ Step step_at(std::span<const double> cumulative, double value) {
 std::vector<DistantLight> uniform_lights(const EnvironmentMap& map, std::uint64_t count, Random& random) {
     std::vector<DistantLight> lights(static_cast<std::size_t>(count));
     for (DistantLight& light : lights) {
-        const glm::dvec2 uv(random.unit(), std::acos(1 - 2 * random.unit()) / std::numbers::pi);
+        const glm::dvec2 uv(random.unit(), portable::acos(1 - 2 * random.unit()) / std::numbers::pi);
         const int x = std::min(static_cast<int>(uv.x * map.width()), map.width() - 1);
         const int y = std::min(static_cast<int>(uv.y * map.height()), map.height() - 1);
         light = {direction_of(uv, SphereConvention::openexr),
@@ -83,7 +84,7 @@ std::vector<DistantLight> median_cut(const EnvironmentMap& map, std::uint64_t co
             continue;
         }
         const double middle = std::numbers::pi * (cut.top + cut.bottom) / (2 * height);
-        const bool by_columns = down == 1 || (across > 1 && across * std::sin(middle) > down);
+        const bool by_columns = down == 1 || (across > 1 && across * portable::sin(middle) > down);
         int low = 1, high = (by_columns ? across : down) - 1;
         const auto first = [&](int length) {
             return by_columns ? part(cut.left, cut.top, cut.left + length, cut.bottom)
@@ -151,9 +152,9 @@ LightInversion::Place LightInversion::at(double s, double t) const {
     const std::span columns(columns_.data() + static_cast<std::size_t>(row.index) * (width_ + 1),
                             static_cast<std::size_t>(width_) + 1);
     const Step column = step_at(columns, s * columns.back());
-    const double top = std::cos(std::numbers::pi * row.index / height_);
-    const double bottom = std::cos(std::numbers::pi * (row.index + 1) / height_);
-    const double theta = std::acos(std::clamp(top + (bottom - top) * row.within, -1.0, 1.0));
+    const double top = portable::cos(std::numbers::pi * row.index / height_);
+    const double bottom = portable::cos(std::numbers::pi * (row.index + 1) / height_);
+    const double theta = portable::acos(std::clamp(top + (bottom - top) * row.within, -1.0, 1.0));
     return {{(column.index + column.within) / width_, theta / std::numbers::pi}, column.index, row.index};
 }
 

@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "core/lights/direction.h"
+#include "core/maths/portable_math.h"
 #include "core/placing/pieces.h"
 #include "core/placing/placer_memory.h"
 
@@ -42,12 +43,12 @@ TexelTree::TexelTree(const EnvironmentMap& map, const Grid<float>& power, int th
     const int width = map.width(), height = map.height();
     for (int x = 0; x < width; ++x) {
         const double around = 2 * std::numbers::pi * (0.5 - (x + 0.5) / width);
-        around_cosine_.push_back(std::cos(around));
-        around_sine_.push_back(std::sin(around));
+        around_cosine_.push_back(portable::cos(around));
+        around_sine_.push_back(portable::sin(around));
     }
     for (int y = 0; y < height; ++y) {
-        down_cosine_.push_back(std::cos(std::numbers::pi * (y + 0.5) / height));
-        down_sine_.push_back(std::sin(std::numbers::pi * (y + 0.5) / height));
+        down_cosine_.push_back(portable::cos(std::numbers::pi * (y + 0.5) / height));
+        down_sine_.push_back(portable::sin(std::numbers::pi * (y + 0.5) / height));
         solid_angle_.push_back(map.solid_angle(y));
     }
     const auto halves = [](int count, int by) { return (count + by - 1) / by; };
@@ -106,7 +107,7 @@ class TexelTree::Descent {
         const glm::dvec3 middle =
             direction_of({(left + right) / 2, (top + bottom) / 2}, SphereConvention::openexr);
         const bool equator = top < 0.5 && bottom > 0.5;
-        const double widest = equator ? 1 : std::sin(std::numbers::pi * (top < 0.5 ? bottom : top));
+        const double widest = equator ? 1 : portable::sin(std::numbers::pi * (top < 0.5 ? bottom : top));
         // From the middle to a texel's at most: down, then around.
         const double radius = std::numbers::pi * ((bottom - top) / 2 + (right - left) * widest);
         const std::size_t end = near_.size();

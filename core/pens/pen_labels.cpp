@@ -1,8 +1,8 @@
 #include "core/pens/pen_labels.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "core/maths/portable_math.h"
 #include "core/placing/pieces.h"
 #include "core/placing/placer_memory.h"
 #include "core/routing/near_dots.h"
@@ -60,7 +60,7 @@ LabelExchange::LabelExchange(const DotsToShare& dots, int threads)
     kernel_.resize(kKernelSteps + 2);
     for (std::size_t i = 0; i < kernel_.size(); ++i) {
         const float u = static_cast<float>(i) * kKernelStep;
-        kernel_[i] = std::exp(-u / 2) + 3 * std::exp(-2 * u);
+        kernel_[i] = portable::exp(-u / 2) + 3 * portable::exp(-2 * u);
     }
 }
 

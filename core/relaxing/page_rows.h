@@ -7,6 +7,7 @@
 #include <glm/vec2.hpp>
 
 #include "core/image/density.h"
+#include "core/maths/portable_math.h"
 
 namespace dapple {
 
@@ -31,8 +32,8 @@ struct PageRows {
     }
 
     static int depth_for(double scale) {
-        return std::max(0,
-                        static_cast<int>(std::lround(std::log2(kDotsPerScale * std::max(scale, 1e-12)) / 2)));
+        return std::max(
+            0, static_cast<int>(std::lround(portable::log2(kDotsPerScale * std::max(scale, 1e-12)) / 2)));
     }
 
  private:

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/maths/portable_math.h"
 #include "core/tile/random.h"
 
 namespace dapple {
@@ -28,13 +29,13 @@ struct Axis {
 };
 
 Axis axis_of(int side, double sigma) {
-    const int reach = static_cast<int>(std::ceil(sigma * std::sqrt(2 * std::log(2 * kUnit))));
+    const int reach = static_cast<int>(std::ceil(sigma * std::sqrt(2 * portable::log(2 * kUnit))));
     const int length = std::min(2 * reach + 1, side);
     Axis axis{.first = -(length / 2), .value = std::vector<double>(static_cast<std::size_t>(length))};
     for (int at = -reach; at <= reach; ++at) {
         const int place = ((at - axis.first) % side + side) % side;
         if (place < length)
-            axis.value[static_cast<std::size_t>(place)] += std::exp(-at * at / (2 * sigma * sigma));
+            axis.value[static_cast<std::size_t>(place)] += portable::exp(-at * at / (2 * sigma * sigma));
     }
     return axis;
 }

@@ -12,6 +12,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "core/maths/portable_math.h"
 #include "core/text/numbers.h"
 
 namespace dapple {
@@ -26,12 +27,12 @@ constexpr std::size_t kLongestPath = 10'000;
 constexpr double kSmallestArc = 1e-6, kLargestArc = 1000;  // radii, where a path's box is 1 wide
 
 int lines_of_circle(double radius_mm, double flatness_mm = kFlatnessMm) {
-    const double half = std::acos(std::max(1 - flatness_mm / radius_mm, 0.5));
+    const double half = portable::acos(std::max(1 - flatness_mm / radius_mm, 0.5));
     return std::clamp(static_cast<int>(std::ceil(pi / half)), 8, 256);
 }
 
 glm::dvec2 on_circle(double radius, double turns) {
-    return radius * glm::dvec2(std::cos(2 * pi * turns), std::sin(2 * pi * turns));
+    return radius * glm::dvec2(portable::cos(2 * pi * turns), portable::sin(2 * pi * turns));
 }
 
 void add_circle(Strokes& strokes, double radius) {
@@ -116,26 +117,28 @@ struct Arc {
 
     glm::dvec2 at(double share) const {
         const double angle = from + way * share;
-        const glm::dvec2 p(radii.x * std::cos(angle), radii.y * std::sin(angle));
-        return middle + glm::dvec2(p.x * std::cos(turned) - p.y * std::sin(turned),
-                                   p.x * std::sin(turned) + p.y * std::cos(turned));
+        const glm::dvec2 p(radii.x * portable::cos(angle), radii.y * portable::sin(angle));
+        return middle + glm::dvec2(p.x * portable::cos(turned) - p.y * portable::sin(turned),
+                                   p.x * portable::sin(turned) + p.y * portable::cos(turned));
     }
 };
 
 Arc arc_between(glm::dvec2 a, glm::dvec2 b, glm::dvec2 radii, double turned, bool large, bool clockwise) {
     const glm::dvec2 half = (a - b) / 2.0;
-    const glm::dvec2 p(std::cos(turned) * half.x + std::sin(turned) * half.y,
-                       -std::sin(turned) * half.x + std::cos(turned) * half.y);
+    const glm::dvec2 p(portable::cos(turned) * half.x + portable::sin(turned) * half.y,
+                       -portable::sin(turned) * half.x + portable::cos(turned) * half.y);
     const double needed = p.x * p.x / (radii.x * radii.x) + p.y * p.y / (radii.y * radii.y);
     if (needed > 1) radii *= std::sqrt(needed);
     const double rx = radii.x * radii.x, ry = radii.y * radii.y;
     const double below = rx * p.y * p.y + ry * p.x * p.x;
     const double factor = std::sqrt(std::max((rx * ry - below) / below, 0.0)) * (large == clockwise ? -1 : 1);
     const glm::dvec2 c(factor * radii.x * p.y / radii.y, -factor * radii.y * p.x / radii.x);
-    const glm::dvec2 middle = glm::dvec2(std::cos(turned) * c.x - std::sin(turned) * c.y,
-                                         std::sin(turned) * c.x + std::cos(turned) * c.y) +
+    const glm::dvec2 middle = glm::dvec2(portable::cos(turned) * c.x - portable::sin(turned) * c.y,
+                                         portable::sin(turned) * c.x + portable::cos(turned) * c.y) +
                               (a + b) / 2.0;
-    const auto angle = [&](glm::dvec2 q) { return std::atan2((q.y - c.y) / radii.y, (q.x - c.x) / radii.x); };
+    const auto angle = [&](glm::dvec2 q) {
+        return portable::atan2((q.y - c.y) / radii.y, (q.x - c.x) / radii.x);
+    };
     const double from = angle(p);
     double way = angle(-p) - from;
     if (clockwise && way < 0) way += 2 * pi;

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/maths/portable_math.h"
 #include "core/tile/candidates.h"
 
 namespace dapple {
@@ -129,7 +130,7 @@ std::vector<int> energy_order(const std::vector<glm::dvec2>& placed, const std::
     const auto spread = [&](glm::dvec2 p, std::size_t kind, auto add) {
         for_copies(p, kind, copies[kind], reach, [&](glm::dvec2 copy, double probability, std::size_t of) {
             candidates[of].for_each_near(copy, reach, [&](std::uint32_t i, double squared) {
-                add(of, i, probability * std::exp(-falloff * squared));
+                add(of, i, probability * portable::exp(-falloff * squared));
             });
         });
     };
@@ -196,7 +197,7 @@ std::vector<float> rank_newborns_in_stages(const Tile& tile, std::span<const int
 
 std::size_t born_until(std::size_t tile_size, int stage) {
     const auto n = static_cast<double>(tile_size);
-    const double there = n * std::pow(4.0, static_cast<double>(stage + 1) / kRankStages);
+    const double there = n * portable::pow(4.0, static_cast<double>(stage + 1) / kRankStages);
     return static_cast<std::size_t>(std::llround(there - n));
 }
 

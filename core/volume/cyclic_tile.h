@@ -31,6 +31,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/maths/portable_math.h"
+
 namespace dapple {
 
 template <int Base, int Dimension>
@@ -121,14 +123,14 @@ std::vector<std::uint32_t> even_order(std::span<const Point> there, std::span<co
     std::iota(left.begin(), left.end(), 0u);
     std::vector<Point> all(there.begin(), there.end());
     while (!left.empty()) {
-        const double apart = std::pow(static_cast<double>(all.size() + 1), -1.0 / Point::length());
+        const double apart = portable::pow(static_cast<double>(all.size() + 1), -1.0 / Point::length());
         const double narrow = 1 / (2 * 0.7 * 0.7 * apart * apart);
         std::size_t best = 0;
         double least = std::numeric_limits<double>::max();
         for (std::size_t i = 0; i < left.size(); ++i) {
             double energy = 0;
             for (const Point& other : all)
-                energy += std::exp(-torus_distance_squared(more[left[i]], other) * narrow);
+                energy += portable::exp(-torus_distance_squared(more[left[i]], other) * narrow);
             if (energy >= least) continue;
             least = energy;
             best = i;

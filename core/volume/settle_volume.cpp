@@ -9,6 +9,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "core/maths/portable_math.h"
 #include "core/volume/space_cells.h"
 
 namespace dapple {
@@ -22,7 +23,7 @@ void blur_axis(Volume& volume, int axis, double sigma) {
     const int reach = static_cast<int>(std::ceil(4 * sigma)), length = volume.size[axis];
     std::vector<float> kernel;
     for (int i = -reach; i <= reach; ++i)
-        kernel.push_back(static_cast<float>(std::exp(-i * i / (2 * sigma * sigma))));
+        kernel.push_back(static_cast<float>(portable::exp(-i * i / (2 * sigma * sigma))));
     const float sum = std::accumulate(kernel.begin(), kernel.end(), 0.0f);
     for (float& each : kernel) each /= sum;
     const std::size_t stride = axis == 0   ? 1
@@ -72,7 +73,7 @@ class BlurredVolume {
     }
 
     glm::dvec3 slope(const glm::dvec3& place, double sigma) const {
-        const double rung = std::clamp(std::log(sigma / least_) / std::log(kLadder), 0.0,
+        const double rung = std::clamp(portable::log(sigma / least_) / portable::log(kLadder), 0.0,
                                        static_cast<double>(copies_.size() - 1));
         const auto low = static_cast<std::size_t>(rung);
         const std::size_t high = std::min(low + 1, copies_.size() - 1);
@@ -118,7 +119,7 @@ void settle(std::vector<glm::dvec3>& dots, const Volume& volume, int steps, cons
         most = std::max(most, sigma_at(dot));
     }
     const BlurredVolume field(volume, std::sqrt(2.0) * least, std::sqrt(2.0) * most);
-    const double field_weight = std::pow(2 * std::numbers::pi, 1.5) * dots_per_density;
+    const double field_weight = portable::pow(2 * std::numbers::pi, 1.5) * dots_per_density;
     std::vector<glm::dvec3> moved(dots.size());
     for (int step = 0; step < steps; ++step) {
         const SpaceCells cells(dots, {glm::dvec3(0), glm::dvec3(volume.size)}, std::max(spacing, 0.05));
@@ -129,10 +130,10 @@ void settle(std::vector<glm::dvec3>& dots, const Volume& volume, int steps, cons
             cells.near(place, s * std::sqrt(kCutSquared), [&](std::uint32_t j) {
                 const glm::dvec3 apart = place - dots[j];
                 const double far = glm::dot(apart, apart);
-                if (far < kCutSquared * squared) force += apart * std::exp(-far / (2 * squared));
+                if (far < kCutSquared * squared) force += apart * portable::exp(-far / (2 * squared));
             });
-            force = force / std::pow(s, 5) + field_weight * field.slope(place, s);
-            glm::dvec3 way = kStride * std::pow(sigma, 5) * force;
+            force = force / portable::pow(s, 5) + field_weight * field.slope(place, s);
+            glm::dvec3 way = kStride * portable::pow(sigma, 5) * force;
             const double furthest = kFurthest / kKernel * sigma, length = glm::length(way);
             if (length > furthest) way *= furthest / length;
             // Back where there is no density: half as far, or not at all.
