@@ -416,8 +416,8 @@ RelaxingRequest relaxing_of(const DrawingPlan& plan, const Placer& placer, doubl
         relaxing.cut_off = !keeps_dots_inside(plan.setup);
     }
     if (pictures && !plan.joined) {
-        relaxing.even_from = static_cast<float>(kSolidLoad / plan.full_load);
         relaxing.areas = {static_cast<float>(smallest_area(plan.size)), plan.finer};
+        relaxing.even_from = relaxing.areas.tone_of(static_cast<float>(kSolidLoad / plan.full_load));
     }
     return relaxing;
 }

@@ -7,7 +7,7 @@
 //
 // Even dots overlap late and then all at once, dots as placed earlier, and how early depends on where their
 // number lies between two full levels of the tile. All of it is measured on dots that this program places and
-// relaxes (bench/coverage_tables), with the default tile; the largest error is 0.012.
+// relaxes (bench/coverage_tables), with the default tile; the largest error is 0.01.
 
 #include <array>
 #include <cstddef>

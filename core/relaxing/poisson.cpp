@@ -5,8 +5,6 @@
 #include <memory>
 #include <utility>
 
-#include "core/image/grid_rows.h"
-
 namespace dapple {
 
 namespace {

@@ -1,11 +1,23 @@
 #pragma once
 // Poisson's equation on a page's cells.
 
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
 #include <glm/vec2.hpp>
 
 #include "core/image/grid.h"
 
 namespace dapple {
+
+/// Calls body(row) for each row of cells, some of them at a time on a thread.
+template <class Body>
+void for_each_row(int rows, const Body& body) {
+    constexpr int kAtOnce = 16;
+    tbb::parallel_for(0, (rows + kAtOnce - 1) / kAtOnce, [&](int stretch) {
+        for (int y = stretch * kAtOnce; y < std::min((stretch + 1) * kAtOnce, rows); ++y) body(y);
+    });
+}
 
 /// About so many cells along a length, a number that can be halved often: of cells that are about 1 long.
 int cells_along(double length);

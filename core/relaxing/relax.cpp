@@ -130,21 +130,22 @@ FloatBuffer in_one_column(const DotPieces& dots, FloatBuffer Dots::*column) {
 // The first ones carry ink far, along thin lines too, where kernels would not reach from dot to dot. Then
 // strides are short and long by turns, which evens dots out in fewer steps than any one stride: long ones
 // overshoot what is rough, and short ones mend it (Altschuler & Parrilo 2023). The last one's wider kernel is
-// for what is a few dots wide.
+// for what is a few dots wide; where steps are few they make dots even and nothing else.
 std::vector<RelaxingStep> relaxing_steps(int steps, const RelaxingRequest& request) {
     using Kind = RelaxingStep::Kind;
     constexpr RelaxingStep kFirst{Kind::lloyd, 3}, kLast{Kind::energy, 0.6f, kPictureKernel};
     constexpr RelaxingStep kShort{Kind::energy, 0.4f, kEvenKernel}, kLong{Kind::energy, 1.2f, kEvenKernel};
     constexpr RelaxingStep kOfSamples{Kind::energy, 0.5f, kSampleKernel}, kWarp{Kind::warp};
-    constexpr int kLloydOfSamples = 4, kStepsToOneOfLloyd = 12;
+    constexpr int kLloydOfSamples = 4, kStepsToOneOfLloyd = 6, kFew = 3;
+    const bool few = steps <= kFew;
     std::vector<RelaxingStep> all;
     if (steps == 0) return all;
     for (int i = 0; i < steps; ++i) {
         if (request.keeps_density)
             all.push_back(i < kLloydOfSamples ? RelaxingStep{} : kOfSamples);
         else if (i == steps - 1)
-            all.push_back(kLast);
-        else if (i <= steps / kStepsToOneOfLloyd)
+            all.push_back(few ? kShort : kLast);
+        else if (few || i <= steps / kStepsToOneOfLloyd)
             all.push_back(i == 0 ? kFirst : RelaxingStep{});
         else
             all.push_back(i % 2 == 1 ? kShort : kLong);

@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include "core/image/blur.h"
-#include "core/image/grid_rows.h"
 #include "core/relaxing/covered_bits.h"
 #include "core/relaxing/poisson.h"
 

@@ -55,6 +55,18 @@ Dots drawn_by(Pipeline& pipeline, const DrawingPlan& plan) {
     return joined(drawn.dots);
 }
 
+// How that plan's dots settle, which are 0.4 mm to 1 mm large if they have sizes.
+RelaxingRequest settling(const DrawingPlan& plan, double scale, bool sized) {
+    static const RankedTile tile = paper_tile();
+    RelaxingRequest request{.scale = scale,
+                            .areas = {.smallest = sized ? 0.16f : 1},
+                            .stirring = stirring_of(tile.placer().table(), scale),
+                            .light = std::make_shared<const InkCurve>(plan.ink)};
+    // Even where discs of all dots there would fill so much paper.
+    request.even_from = request.areas.tone_of(static_cast<float>(kSolidLoad / plan.full_load));
+    return request;
+}
+
 bool same(const Dots& a, const Dots& b) {
     return a.x == b.x && a.y == b.y && a.threshold == b.threshold && a.critical == b.critical &&
            a.radius == b.radius;
@@ -244,11 +256,7 @@ TEST_CASE("a drawing is the placed dots, relaxed") {
     RankedTile tile = paper_tile();
     Stippling placed;
     REQUIRE(stipple(tile, *plan.density, PlacerKind::exact, {.count = 2500, .thresholds = true}, placed));
-    REQUIRE(relax(placed.dots, *plan.density, 3,
-                  {.scale = placed.scale,
-                   .even_from = static_cast<float>(kSolidLoad / plan.full_load),
-                   .stirring = stirring_of(tile.placer().table(), placed.scale),
-                   .light = std::make_shared<const InkCurve>(plan.ink)}));
+    REQUIRE(relax(placed.dots, *plan.density, 3, settling(plan, placed.scale, false)));
     CHECK(same(drawn_by(pipeline, plan), joined(placed.dots)));
 }
 
@@ -263,12 +271,7 @@ TEST_CASE(
     RankedTile tile = paper_tile();
     Stippling placed;
     REQUIRE(stipple(tile, *plan.density, PlacerKind::exact, plan.placing, placed));
-    REQUIRE(relax(placed.dots, *plan.density, 6,
-                  {.scale = placed.scale,
-                   .even_from = static_cast<float>(kSolidLoad / plan.full_load),
-                   .areas = {.smallest = 0.16f},  // 0.4 mm and 1 mm
-                   .stirring = stirring_of(tile.placer().table(), placed.scale),
-                   .light = std::make_shared<const InkCurve>(plan.ink)}));
+    REQUIRE(relax(placed.dots, *plan.density, 6, settling(plan, placed.scale, true)));
     const Dots settled = joined(placed.dots);
     CHECK(dots.x == settled.x);
     CHECK(dots.y == settled.y);
@@ -480,15 +483,26 @@ TEST_CASE("whoever watches sees every step but the last, with its dots") {
                                             }}));
         CHECK(seen == std::vector<int>{0, 1, 2, 3});
         CHECK(drawn.steps == 4);
-        // All dots at once, on their way from where they were placed.
+        // What was seen is what so many steps and one warp more make of the placed dots.
         DrawingPlan as_placed = plan;
         as_placed.steps = 0;
         CHECK(same(dots.front(), drawn_by(pipeline, as_placed)));
-        for (std::size_t i = 1; i < dots.size(); ++i) {
-            CHECK(dots[i].size() == dots.front().size());
-            CHECK(!same(dots[i], dots[i - 1]));
-            CHECK(dots[i].radius.size() == (sized ? dots[i].size() : 0));
+        RankedTile tile = paper_tile();
+        Stippling placed;
+        REQUIRE(stipple(tile, *plan.density, PlacerKind::exact, plan.placing, placed));
+        const RelaxingRequest relaxing = settling(plan, placed.scale, sized);
+        stir(placed.dots, *plan.density, relaxing);
+        Relaxation relaxation(placed.dots, *plan.density, relaxing);
+        std::size_t steps = 0;
+        for (const RelaxingStep& how : relaxing_steps(4, relaxing)) {
+            REQUIRE(relaxation.step(how));
+            if (how.kind == RelaxingStep::Kind::warp || ++steps == dots.size()) continue;
+            const Dots warped = joined(relaxation.dots_warped());
+            CHECK(dots[steps].x == warped.x);
+            CHECK(dots[steps].y == warped.y);
+            CHECK(dots[steps].radius.size() == (sized ? warped.size() : 0));
         }
+        CHECK(steps == 4);
     }
 }
 

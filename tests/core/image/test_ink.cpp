@@ -87,7 +87,7 @@ void check_coverage(int steps) {
                 CAPTURE(by_tone);
                 CAPTURE(count);
                 CAPTURE(light);
-                CHECK(std::abs(drawing.mean_within(0.05 * drawing.coverage.width) - (1 - light)) < 0.012);
+                CHECK(std::abs(drawing.mean_within(0.05 * drawing.coverage.width) - (1 - light)) < 0.01);
             }
         }
     }
