@@ -304,4 +304,16 @@ float pow(float base, float exponent) {
                               power_of_two(whole >> 5));
 }
 
+float cbrt(float x) {
+    if (x == 0 || !std::isfinite(x)) return x;
+    const double size = std::abs(double{x});
+    // A third of the exponent, and two of Halley's steps, each of which leaves of an error its cube.
+    double root = std::bit_cast<double>(std::bit_cast<std::uint64_t>(size) / 3 + (std::uint64_t{682} << 52));
+    for (int i = 0; i < 2; ++i) {
+        const double cube = root * root * root;
+        root *= (cube + 2 * size) / (2 * cube + size);
+    }
+    return std::copysign(static_cast<float>(root), x);
+}
+
 }  // namespace dapple::portable

@@ -28,6 +28,8 @@ double pow(double base, double exponent);
 
 /// The same of floats. A power is right to a unit of its last digit, up to exponents of a thousand.
 float pow(float base, float exponent);
+/// The cube root, below 0 too; right to a unit of its last digit.
+float cbrt(float x);
 inline float tan(float angle) {
     return static_cast<float>(tan(double{angle}));
 }

@@ -67,7 +67,7 @@ class Sharing {
             for (std::size_t k = 0; k < numbers.size(); ++k) {
                 const std::size_t i = numbers[k];
                 const float dx = moved.x[k] - own.x[k], dy = moved.y[k] - own.y[k];
-                const float way = std::hypot(dx, dy), most = kFarthestOwn * std::sqrt(area_[i]);
+                const float way = std::sqrt(dx * dx + dy * dy), most = kFarthestOwn * std::sqrt(area_[i]);
                 const float share = (1 - for_all) * (way > most ? most / way : 1.0f);
                 to.x[i] += share * dx;
                 to.y[i] += share * dy;

@@ -12,6 +12,7 @@
 #include <numeric>
 
 #include "core/image/linear_colour.h"
+#include "core/maths/portable_math.h"
 
 namespace dapple {
 namespace {
@@ -286,9 +287,9 @@ Shares Separation::shares(glm::vec3 colour) const {
 }
 
 glm::vec3 oklab_of(glm::vec3 c) {
-    const float l = std::cbrt(0.4122214708f * c.r + 0.5363325363f * c.g + 0.0514459929f * c.b);
-    const float m = std::cbrt(0.2119034982f * c.r + 0.6806995451f * c.g + 0.1073969566f * c.b);
-    const float s = std::cbrt(0.0883024619f * c.r + 0.2817188376f * c.g + 0.6299787005f * c.b);
+    const float l = portable::cbrt(0.4122214708f * c.r + 0.5363325363f * c.g + 0.0514459929f * c.b);
+    const float m = portable::cbrt(0.2119034982f * c.r + 0.6806995451f * c.g + 0.1073969566f * c.b);
+    const float s = portable::cbrt(0.0883024619f * c.r + 0.2817188376f * c.g + 0.6299787005f * c.b);
     return {0.2104542553f * l + 0.7936177850f * m - 0.0040720468f * s,
             1.9779984951f * l - 2.4285922050f * m + 0.4505937099f * s,
             0.0259040371f * l + 0.7827717662f * m - 0.8086757660f * s};

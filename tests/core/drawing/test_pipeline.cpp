@@ -185,8 +185,8 @@ TEST_CASE(
 TEST_CASE("true light is covered by as much ink as the picture lacks light") {
     Pipeline pipeline = pipeline_of(ramp());
     const DrawingPlan plan =
-        pipeline.plan({.automatic_tone = false, .placing = {.count = 20'000}, .relax = 4});
-    const InkCurve ink({.relaxing_steps = 4});
+        pipeline.plan({.automatic_tone = false, .placing = {.count = 20'000}, .relax = 5});
+    const InkCurve ink({.relaxing_steps = 5});
     for (int x = 0; x < 80; ++x)
         CHECK(std::abs(ink.coverage(plan.density->values().at(x, 20)) - (1 - ramp().at(x, 20))) < 0.005);
     CHECK(plan.full_load == ink.full_load());
@@ -302,7 +302,7 @@ TEST_CASE("what a scale came to is known when it is asked for again, and no long
 
 TEST_CASE("what a change has no say in is not made again") {
     Pipeline pipeline = pipeline_of(dull());
-    DrawingRequest request{.placing = {.count = 4000}, .relax = 4};
+    DrawingRequest request{.placing = {.count = 4000}, .relax = 5};
     const auto density = [&] { return pipeline.plan(request).density; };
     auto last = density();
     const auto stays = [&] { return density() == last; };

@@ -111,6 +111,9 @@ TEST_CASE("sines, powers and their like are right to about two units of a double
               0, 1, [](double x) { return portable::pow(static_cast<float>(x), 2.4f); },
               [](Long x) { return std::pow(static_cast<Long>(static_cast<float>(x)), Long{2.4f}); }) <
           6.1e-8);
+    CHECK(error_of(
+              -9, 9, [](double x) { return portable::cbrt(static_cast<float>(x)); },
+              [](Long x) { return std::cbrt(static_cast<Long>(static_cast<float>(x))); }) < 6.1e-8);
 }
 
 TEST_CASE(
@@ -146,6 +149,8 @@ TEST_CASE(
             if (!std::signbit(x)) CHECK(alike(portable::pow(x, other), std::pow(x, other)));
         }
         CHECK(std::isnan(portable::pow(-3.0, x == 0 ? 1 : x)));
+        const auto single = static_cast<float>(x);
+        CHECK(alike(portable::cbrt(single), std::cbrt(single)));
     }
     // An angle so large has lost its place, but stays one.
     CHECK(std::abs(portable::sin(1e300)) <= 1);
