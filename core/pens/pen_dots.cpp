@@ -16,12 +16,15 @@ namespace dapple {
 namespace {
 
 constexpr int kMovingRounds = 4;  // of exchanging and moving
+constexpr int kWarpsOfAll = 2;
 constexpr int kFirstSweeps = 24;  // of exchanging
 constexpr int kSweeps = 12;
 constexpr float kForAll = 0.65f;       // of a move; the rest is for the pen's own dots
 constexpr int kRoundsForSizes = 8;     // of moving alone, where pens' dots differ in size
 constexpr float kForAllSizes = 0.8f;   // of such a move
 constexpr float kFarthestOwn = 0.22f;  // that a dot moves for its own pen, over the distance between dots
+
+constexpr RelaxingStep kWarp{RelaxingStep::Kind::warp};
 
 // All dots in one piece, near ones near each other.
 Dots along_curve(const DotPieces& dots) {
@@ -52,7 +55,42 @@ class Sharing {
             to.x[i] = dots_.x[i] + for_all * (to.x[i] - dots_.x[i]);
             to.y[i] = dots_.y[i] + for_all * (to.y[i] - dots_.y[i]);
         }
-        for (std::size_t pen = 0; pen < densities_.each.size() && for_all < 1; ++pen) {
+        for_each_pens_step(labels, {}, stop, [&](std::size_t i, float dx, float dy) {
+            const float way = std::sqrt(dx * dx + dy * dy), most = kFarthestOwn * std::sqrt(area_[i]);
+            const float share = (1 - for_all) * (way > most ? most / way : 1.0f);
+            to.x[i] += share * dx;
+            to.y[i] += share * dy;
+        });
+        if (stop.stop_requested()) return false;
+        take(to);
+        return true;
+    }
+
+    // Each pen's dots become as many as they should be over several of its own, at the cost of distances
+    // among all. False if stopped.
+    bool warp_each(const PenLabels& labels, const std::stop_token& stop) {
+        Dots to = dots_;
+        for_each_pens_step(labels, kWarp, stop, [&](std::size_t i, float dx, float dy) {
+            to.x[i] += dx;
+            to.y[i] += dy;
+        });
+        if (stop.stop_requested()) return false;
+        take(to);
+        return true;
+    }
+
+    // The same of all dots, whose distances it leaves.
+    bool warp_all(const std::stop_token& stop) {
+        take(stepped(dots_, *densities_.all, false, stop, kWarp));
+        return !stop.stop_requested();
+    }
+
+ private:
+    // Calls go(dot, across, down) for each dot, with what such a step among its own pen's dots is.
+    template <class Go>
+    void for_each_pens_step(const PenLabels& labels, const RelaxingStep& how, const std::stop_token& stop,
+                            const Go& go) const {
+        for (std::size_t pen = 0; pen < densities_.each.size(); ++pen) {
             Dots own;
             std::vector<std::size_t> numbers;
             for (std::size_t i = 0; i < dots_.size(); ++i) {
@@ -62,17 +100,14 @@ class Sharing {
                 numbers.push_back(i);
             }
             if (own.size() < 2) continue;
-            const Dots moved = stepped(own, *densities_.each[pen], false, stop);
-            if (stop.stop_requested()) return false;
-            for (std::size_t k = 0; k < numbers.size(); ++k) {
-                const std::size_t i = numbers[k];
-                const float dx = moved.x[k] - own.x[k], dy = moved.y[k] - own.y[k];
-                const float way = std::sqrt(dx * dx + dy * dy), most = kFarthestOwn * std::sqrt(area_[i]);
-                const float share = (1 - for_all) * (way > most ? most / way : 1.0f);
-                to.x[i] += share * dx;
-                to.y[i] += share * dy;
-            }
+            const Dots moved = stepped(own, *densities_.each[pen], false, stop, how);
+            if (stop.stop_requested()) return;
+            for (std::size_t k = 0; k < numbers.size(); ++k)
+                go(numbers[k], moved.x[k] - own.x[k], moved.y[k] - own.y[k]);
         }
+    }
+
+    void take(const Dots& to) {
         const double longer = densities_.all->longer_side();
         const auto right = static_cast<float>(densities_.all->width() / longer);
         const auto bottom = static_cast<float>(densities_.all->height() / longer);
@@ -81,10 +116,8 @@ class Sharing {
             dots_.y[i] = std::clamp(to.y[i], 0.0f, std::nextafter(bottom, 0.0f));
         }
         look();
-        return true;
     }
 
- private:
     // The density of the ink: of dots of area 1 as many as have it.
     Density ink() const {
         Grid<float> sum(densities_.all->width(), densities_.all->height());
@@ -107,11 +140,11 @@ class Sharing {
         }
     }
 
-    Dots stepped(const Dots& dots, const Density& density, bool by_radius,
-                 const std::stop_token& stop) const {
+    Dots stepped(const Dots& dots, const Density& density, bool by_radius, const std::stop_token& stop,
+                 const RelaxingStep& how = {}) const {
         Relaxation relaxation(in_one_piece(dots), density,
                               {.scale = request_.scale, .threads = request_.threads, .by_radius = by_radius});
-        relaxation.step({}, stop);
+        relaxation.step(how, stop);
         return relaxation.dots_as_taken();
     }
 
@@ -167,7 +200,11 @@ DotPieces pen_dots(const DotPieces& placed, const PenDensities& densities, const
     for (int round = 0; request.move && round < kMovingRounds; ++round) {
         if (!sharing.move(labels, kForAll, stop)) return {};
         exchange.exchange(labels, kSweeps);
+        // The rounds to come bring dots of different pens apart again.
+        if (round == 0 && !sharing.warp_each(labels, stop)) return {};
     }
+    for (int i = 0; request.move && request.areas.empty() && i < kWarpsOfAll; ++i)
+        if (!sharing.warp_all(stop)) return {};
     // Exchanging would undo it: it does not see sizes.
     for (int round = 0; request.move && !request.areas.empty() && round < kRoundsForSizes; ++round)
         if (!sharing.move(labels, kForAllSizes, stop)) return {};
