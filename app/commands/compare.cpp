@@ -21,6 +21,7 @@
 #include "lab/analysis/report_page.h"
 #include "lab/compare/compare_report.h"
 #include "lab/compare/contenders.h"
+#include "lab/compare/icons.h"
 #include "lab/compare/measure.h"
 
 namespace dapple {
@@ -65,8 +66,10 @@ CompareRequest request_of(const CompareOptions& options) {
         request.pictures.push_back({.name = std::move(name), .light = std::move(picture.light)});
         if (request.pngs) request.pictures.back().png = png_of_light(request.pictures.back().light);
     };
-    if (options.pictures.empty()) add("still life", sample_picture());
+    if (options.pictures.empty() && !options.icons) add("still life", sample_picture());
     for (const fs::path& file : options.pictures) add(file.filename().string(), read_with_remark(file));
+    if (options.icons)
+        for (ComparedPicture& icon : icons()) add(std::move(icon.name), {.light = std::move(icon.light)});
     return request;
 }
 
@@ -132,6 +135,10 @@ CompareCommand::CompareCommand(CLI::App& program) {
     command
         ->add_option("pictures", options_.pictures, "Pictures to draw; without any, the built-in still life")
         ->type_name("IMAGE");
+    command->add_flag(
+        "--icons", options_.icons,
+        "Draw five icons, shapes with hard edges and soft ones, instead of the still life; they are "
+        "meant for some 1,024 dots");
     command
         ->add_option("--methods", options_.methods,
                      "Which methods to measure: names with commas between them; without it, all")

@@ -15,6 +15,7 @@ namespace dapple {
 
 struct CompareOptions {
     std::vector<std::filesystem::path> pictures;  // none: the built-in still life
+    bool icons = false;                           // these too
     std::vector<std::string> methods;             // by name; none: all
     std::vector<std::size_t> dots{65'536};
     std::size_t picture_dots = 10'000;

@@ -70,6 +70,12 @@ constexpr MarkColumn<DrawingMarks> kDrawingColumns[] = {
      [](const DrawingMarks& m) { return m.distances.p1; }, three_digits},
     {"nearest_mean", "nearest: mean", Better::high, [](const DrawingMarks& m) { return m.distances.mean; },
      three_digits},
+    {"cvt_energy", "CVT energy", Better::low, [](const DrawingMarks& m) { return m.cells.energy; },
+     three_digits},
+    {"capacity_deviation", "capacity deviation", Better::low,
+     [](const DrawingMarks& m) { return m.cells.capacity; }, three_digits},
+    {"centroid_displacement", "centroid displacement", Better::low,
+     [](const DrawingMarks& m) { return m.cells.displacement; }, three_digits},
 };
 
 // `marks_of` a method: none if it was not measured.

@@ -138,6 +138,7 @@ class MethodMeasurer {
         marks.marks = picture_marks(timed->dots, radius, target);
         marks.distances =
             local_distances(timed->dots, density, dots_at_full_density(density, timed->dots.size()));
+        marks.cells = cell_marks(timed->dots, density);
         if (request_.pngs) marks.png = png_of_drawing(timed->dots, radius, picture.light);
         return marks;
     }

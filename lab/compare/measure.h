@@ -14,6 +14,7 @@
 #include "core/analysis/local_distances.h"
 #include "core/analysis/spectrum.h"
 #include "core/image/ink.h"
+#include "lab/compare/cell_marks.h"
 #include "lab/compare/contenders.h"
 #include "lab/compare/picture_marks.h"
 
@@ -47,6 +48,7 @@ struct DrawingMarks {
     double seconds = 0;
     PictureMarks marks{};
     LocalDistances distances{};
+    CellMarks cells{};
     std::string png{};  // only if wanted
 };
 

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>
-#include <optional>
+#include <limits>
+#include <memory>
+#include <vector>
 
 #include "core/analysis/point_grid.h"
 #include "core/image/grid.h"
@@ -16,16 +18,21 @@
 namespace dapple {
 namespace {
 
-constexpr double kEnd = 9;             // a kernel ends at e^-kEnd of its middle
+constexpr double kEnd = 17;            // a kernel ends at e^-kEnd of its middle
 constexpr double kLongestStep = 0.35;  // in distances between dots
 constexpr double kLeastShare = 0.02;   // of the mean density
-// A stride in fourth powers of a kernel's deviation: one twice as long would overshoot the energy's steepest
-// waves.
-constexpr double kStride = 2 * 0.45 * 0.45 / (kGaussianKernel * kGaussianKernel);
+// Of a step, over what others push by: the steepest waves of two kernels' energy have 4 pi / e, and momentum
+// wants no more than one over that.
+constexpr double kStride = 0.2;
 
 // What a Gaussian of that variance so far away pushes by.
 glm::dvec2 push(glm::dvec2 offset, double variance) {
-    return -offset * std::exp(-glm::dot(offset, offset) / (2 * variance)) / (variance * variance);
+    return -offset * std::exp(-glm::dot(offset, offset) / (2 * variance));
+}
+
+// No longer than a dot may go at once.
+glm::dvec2 within(glm::dvec2 move) {
+    return move * std::min(1.0, kLongestStep / std::max(glm::length(move), 1e-300));
 }
 
 double mirrored(double at, double length) {
@@ -49,21 +56,38 @@ class Masses {
         for (float& mass : masses_.values) mass *= float(double(count) / std::max(sum, 1e-300));
     }
 
-    // What all of them push by.
+    // What all of them push by. A Gaussian is one across times one down.
     glm::dvec2 push_at(glm::dvec2 at, double variance, double reach) const {
+        const Line across(at.x, width_, variance, reach), down(at.y, height_, variance, reach);
         glm::dvec2 force(0);
-        const auto last = [](double end, double side) { return int(std::floor(end / side - 0.5)); };
-        for (int y = last(at.y - reach, height_) + 1; y <= last(at.y + reach, height_); ++y) {
-            const float* const row = masses_.row(inside(y, masses_.height));
-            for (int x = last(at.x - reach, width_) + 1; x <= last(at.x + reach, width_); ++x) {
-                const glm::dvec2 offset((x + 0.5) * width_ - at.x, (y + 0.5) * height_ - at.y);
-                force += double(row[inside(x, masses_.width)]) * push(offset, variance);
+        for (int y = 0; y < int(down.falls.size()); ++y) {
+            const float* const row = masses_.row(inside(down.first + y, masses_.height));
+            double mass = 0, moment = 0;
+            for (int x = 0; x < int(across.falls.size()); ++x) {
+                const double seen = row[inside(across.first + x, masses_.width)] * across.falls[x];
+                mass += seen;
+                moment += seen * across.offset(x);
             }
+            force -= down.falls[y] * glm::dvec2(moment, mass * down.offset(y));
         }
         return force;
     }
 
  private:
+    // The lattice's places within reach along one axis, and what a Gaussian has fallen to at each.
+    struct Line {
+        Line(double from, double pitch, double variance, double reach)
+            : at(from), side(pitch), first(int(std::floor((at - reach) / side + 0.5))) {
+            for (int i = 0; offset(i) <= reach; ++i)
+                falls.push_back(std::exp(-offset(i) * offset(i) / (2 * variance)));
+        }
+        double offset(int i) const { return (first + i + 0.5) * side - at; }
+
+        double at, side;
+        int first;
+        std::vector<double> falls{};
+    };
+
     static int inside(int i, int length) {
         const int period = 2 * length, in = ((i % period) + period) % period;
         return std::min(in, period - 1 - in);
@@ -110,44 +134,93 @@ class Neighbours {
     PointGrid grid_;
 };
 
+class Energy {
+ public:
+    explicit Energy(const DotsWanted& wanted) : wanted_(wanted) {
+        const double mean = double(wanted.count) / (page_.x * page_.y);  // dots on an area
+        if (!wanted.density) return;
+        in_black_ = double(wanted.count) / std::max(wanted.density->mean(), 1e-12);
+        least_ = kLeastShare * mean;
+        margin_ = std::min({reach_of(1 / std::sqrt(least_)), page_.x, page_.y});
+        masses_ =
+            std::make_unique<Masses>(*wanted.density, wanted.count, kGaussianKernel / std::sqrt(in_black_));
+    }
+
+    // A step down from there, over the distance between dots there.
+    struct Step {
+        glm::dvec2 way{};
+        double spacing = 1;
+    };
+
+    std::vector<Step> steps(const PlainDots& dots) const {
+        const Neighbours neighbours(dots, wanted_, margin_);
+        std::vector<Step> steps(dots.size());
+        tbb::parallel_for(std::size_t{0}, dots.size(),
+                          [&](std::size_t i) { steps[i] = step(dots[i], neighbours); });
+        return steps;
+    }
+
+    // On the page, which goes on as in a mirror, or on the unit square, whose edges meet.
+    glm::dvec2 inside(glm::dvec2 p) const {
+        return wanted_.density ? glm::dvec2(mirrored(p.x, page_.x), mirrored(p.y, page_.y))
+                               : on_unit_torus(p);
+    }
+    glm::dvec2 way(glm::dvec2 from, glm::dvec2 to) const {
+        return wanted_.density ? to - from : to - from - glm::round(to - from);
+    }
+
+ private:
+    static double reach_of(double spacing) { return std::sqrt(2 * kEnd * 2) * kGaussianKernel * spacing; }
+
+    Step step(glm::dvec2 dot, const Neighbours& neighbours) const {
+        double here = in_black_;
+        if (wanted_.density) {
+            const glm::dvec2 last = page_ * (1 - 1e-9);  // beyond it there is no density
+            here = std::max(in_black_ * wanted_.density->at(glm::min(dot, last)), least_);
+        }
+        const double spacing = 1 / std::sqrt(here), sigma = kGaussianKernel * spacing;
+        const double variance = 2 * sigma * sigma, reach = std::min(reach_of(spacing), margin_);
+        glm::dvec2 force(0);
+        neighbours.for_each_within(dot, reach, [&](glm::dvec2 offset) { force += push(offset, variance); });
+        if (masses_) force -= masses_->push_at(dot, variance, reach);
+        return {within(kStride / spacing * force), spacing};
+    }
+
+    const DotsWanted& wanted_;
+    const glm::dvec2 page_ = page_of(wanted_);
+    double in_black_ = double(wanted_.count);  // dots on an area
+    double least_ = 0, margin_ = std::numeric_limits<double>::infinity();
+    std::unique_ptr<const Masses> masses_{};
+};
+
 }  // namespace
 
 PlainDots gaussian_blue_noise(const DotsWanted& wanted) {
     PlainDots dots =
         wanted.density ? random_dots(*wanted.density, wanted.count, wanted.seed) : white_noise(wanted);
-    const glm::dvec2 page = page_of(wanted);
-    const double mean = double(wanted.count) / (page.x * page.y);  // dots on an area
-    const double in_black =
-        wanted.density ? double(wanted.count) / std::max(wanted.density->mean(), 1e-12) : mean;
-    const auto sigma_for = [](double dots_on_area) { return kGaussianKernel / std::sqrt(dots_on_area); };
-    const auto reach_of = [](double sigma) { return std::sqrt(2 * kEnd * 2) * sigma; };
-    const double margin = std::min({reach_of(sigma_for(kLeastShare * mean)), page.x, page.y});
-    std::optional<Masses> masses;
-    if (wanted.density) masses.emplace(*wanted.density, wanted.count, sigma_for(in_black));
+    const Energy energy(wanted);
+    PlainDots ahead = dots;
+    // What pushes on a picture is no energy's slope, as kernels differ: more momentum stirs dots there.
+    const double most_momentum = wanted.density ? 0.5 : 1;
+    double since = 0;  // steps since there was no momentum
     for (int step = 0; step < kGaussianSteps; ++step) {
         if (wanted.stop.stop_requested()) return {};
-        const Neighbours neighbours(dots, wanted, margin);
-        PlainDots moved(dots.size());
-        tbb::parallel_for(std::size_t{0}, dots.size(), [&](std::size_t i) {
-            const glm::dvec2 dot = dots[i];
-            double here = mean;
-            if (wanted.density) {
-                const glm::dvec2 last = page * (1 - 1e-9);  // beyond it there is no density
-                here = std::max(in_black * wanted.density->at(glm::min(dot, last)), kLeastShare * mean);
-            }
-            const double sigma = sigma_for(here), variance = 2 * sigma * sigma;
-            const double reach = std::min(reach_of(sigma), wanted.density ? margin : 0.5);
-            glm::dvec2 force(0);
-            neighbours.for_each_within(dot, reach,
-                                       [&](glm::dvec2 offset) { force += push(offset, variance); });
-            if (masses) force -= masses->push_at(dot, variance, reach);
-            glm::dvec2 move = kStride * std::pow(sigma, 4) * force;
-            move *= std::min(1.0, kLongestStep / std::sqrt(here) / std::max(glm::length(move), 1e-300));
-            moved[i] = wanted.density
-                           ? glm::dvec2(mirrored(dot.x + move.x, page.x), mirrored(dot.y + move.y, page.y))
-                           : on_unit_torus(dot + move);
-        });
-        dots.swap(moved);
+        const std::vector<Energy::Step> steps = energy.steps(ahead);
+        PlainDots moves(dots.size());  // over the distance between dots
+        double along = 0, length = 0;
+        for (std::size_t i = 0; i < dots.size(); ++i) {
+            moves[i] = energy.way(dots[i], ahead[i]) / steps[i].spacing + steps[i].way;
+            along += glm::dot(steps[i].way, moves[i]);
+            length += glm::length(steps[i].way);
+        }
+        // Momentum that leads up has gone too far (O'Donoghue & Candes 2015).
+        since = along < 0 ? 0 : since + 1;
+        const double momentum = std::min(most_momentum, since / (since + 3));
+        for (std::size_t i = 0; i < dots.size(); ++i) {
+            dots[i] = energy.inside(ahead[i] + steps[i].spacing * steps[i].way);
+            ahead[i] = energy.inside(dots[i] + steps[i].spacing * within(momentum * moves[i]));
+        }
+        if (length < kGaussianStill * double(dots.size())) break;
     }
     return dots;
 }

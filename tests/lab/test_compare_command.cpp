@@ -67,6 +67,23 @@ TEST_CASE("compare measures methods whose numbers are known, in tables, JSON and
     }
 }
 
+TEST_CASE("icons come instead of the still life, and their drawings' cells are marked") {
+    const TemporaryFolder folder;
+    const Outcome outcome = run_dapple(
+        "compare --icons --methods dapple,white-noise --dots 256 --picture-dots 256 --most 1 --json " +
+        (folder / "c.json").string());
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.status == 0);
+    CHECK(outcome.out.find("### star, 256 dots") != std::string::npos);
+    CHECK(outcome.out.find("still life") == std::string::npos);
+    const nlohmann::json methods = nlohmann::json::parse(text_of(folder / "c.json"))["methods"];
+    REQUIRE(methods[0]["pictures"].size() == 5);
+    for (std::size_t i = 0; i < 5; ++i)
+        for (const char* const mark : {"cvt_energy", "capacity_deviation", "centroid_displacement"})
+            CHECK(methods[0]["pictures"][i][mark].get<double>() <
+                  methods[1]["pictures"][i][mark].get<double>());
+}
+
 TEST_CASE("what takes longer than allowed is a dash in the table and null in JSON") {
     const TemporaryFolder folder;
     const Outcome outcome = run_dapple(

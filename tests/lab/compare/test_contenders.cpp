@@ -88,14 +88,16 @@ TEST_CASE("who is first has the largest distances and finest waves, and the leas
             .count = 100,
             .seconds = value,
             .marks = {.ssim = value, .gradients = value, .tone_error = value, .mean_error = value},
-            .distances = {.p1 = value, .mean = value, .count = 100}}};
+            .distances = {.p1 = value, .mean = value, .count = 100},
+            .cells = {.energy = value, .capacity = value, .displacement = value}}};
     }
     std::string firsts;
     for (const Place& place : drawing_places(drawn, 0))
         firsts += std::string(place.what) + " " + place.first_title + "\n";
     CHECK(firsts ==
           "time small\nSSIM large\ngradients large\ntone error small\n"
-          "nearest: 1st percentile large\nnearest: mean large\n");
+          "nearest: 1st percentile large\nnearest: mean large\n"
+          "CVT energy small\ncapacity deviation small\ncentroid displacement small\n");
 }
 
 TEST_CASE("what is a little behind is not first, though the digits in the table are the same") {
