@@ -19,7 +19,7 @@ constexpr int kMovingRounds = 4;  // of exchanging and moving
 constexpr int kWarpsOfAll = 2;
 constexpr int kFirstSweeps = 24;  // of exchanging
 constexpr int kSweeps = 12;
-constexpr float kForAll = 0.65f;       // of a move; the rest is for the pen's own dots
+constexpr float kForAll = 0.67f;       // of a move; the rest is for the pen's own dots
 constexpr int kRoundsForSizes = 8;     // of moving alone, where pens' dots differ in size
 constexpr float kForAllSizes = 0.8f;   // of such a move
 constexpr float kFarthestOwn = 0.22f;  // that a dot moves for its own pen, over the distance between dots
@@ -197,11 +197,11 @@ DotPieces pen_dots(const DotPieces& placed, const PenDensities& densities, const
     // Dots move by less than the distance between them, so that those near each other stay so.
     LabelExchange exchange(sharing.to_share(), request.threads);
     exchange.exchange(labels, kFirstSweeps);
+    // Moves then bring dots of different pens apart again.
+    if (request.move && !sharing.warp_each(labels, stop)) return {};
     for (int round = 0; request.move && round < kMovingRounds; ++round) {
         if (!sharing.move(labels, kForAll, stop)) return {};
         exchange.exchange(labels, kSweeps);
-        // The rounds to come bring dots of different pens apart again.
-        if (round == 0 && !sharing.warp_each(labels, stop)) return {};
     }
     for (int i = 0; request.move && request.areas.empty() && i < kWarpsOfAll; ++i)
         if (!sharing.warp_all(stop)) return {};
