@@ -19,7 +19,7 @@ inline constexpr double kGaussianStill = 2e-6;
 /// middle: what is cut off earlier stirs the dots, and the energy falls no further.
 ///
 /// The authors take a thousand plain steps in their example. Steps here have momentum (Nesterov 1983), which
-/// come to the same minima and much farther down in as many, no more than 0.5 on pictures: until
+/// comes to the same minima and much farther down in as many, no more than 0.5 on pictures: until
 /// dots lie still, by kGaussianStill, or for kGaussianSteps.
 ///
 /// What differs: a dot sees others through its own kernel, whatever theirs, which is no wider than a fiftieth
