@@ -1,13 +1,13 @@
 #include "lab/related/best_candidate.h"
 
 #include "core/tile/random.h"
+#include "lab/related/bent_square.h"
 #include "lab/related/growing_grid.h"
-#include "lab/related/warp.h"
 
 namespace dapple {
 
 PlainDots best_candidate(const DotsWanted& wanted) {
-    const Warp warp(wanted.density);
+    const BentSquare warp(wanted.density);
     const glm::dvec2 page = page_of(wanted);
     GrowingGrid grid({page.x, page.y, wanted.density ? Topology::window : Topology::torus});
     Random random(wanted.seed);

@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "core/tile/random.h"
+#include "lab/related/bent_square.h"
 #include "lab/related/growing_grid.h"
-#include "lab/related/warp.h"
 
 namespace dapple {
 namespace {
@@ -86,7 +86,7 @@ struct OpenCell {
 };
 
 PlainDots darts_of_picture(const DotsWanted& wanted) {
-    const Warp warp(wanted.density);
+    const BentSquare warp(wanted.density);
     const glm::dvec2 page = page_of(wanted);
     GrowingGrid grid({page.x, page.y, Topology::window});
     Random random(wanted.seed);

@@ -4,12 +4,12 @@
 #include <cmath>
 
 #include "core/tile/random.h"
-#include "lab/related/warp.h"
+#include "lab/related/bent_square.h"
 
 namespace dapple {
 
 PlainDots jittered_grid(const DotsWanted& wanted) {
-    const Warp warp(wanted.density);
+    const BentSquare warp(wanted.density);
     const glm::dvec2 page = page_of(wanted);
     Random random(wanted.seed);
     // Cells about as wide as high on the page.

@@ -4,14 +4,14 @@
 #include <utility>
 
 #include "core/lights/sobol.h"
-#include "lab/related/warp.h"
+#include "lab/related/bent_square.h"
 
 namespace dapple {
 namespace {
 
 template <class Point>
 PlainDots warped(const DotsWanted& wanted, const Point& point_of) {
-    const Warp warp(wanted.density);
+    const BentSquare warp(wanted.density);
     PlainDots dots;
     dots.reserve(wanted.count);
     for (std::size_t i = 0; i < wanted.count; ++i) {

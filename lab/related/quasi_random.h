@@ -1,8 +1,8 @@
 #pragma once
 // Points by number theory: Halton, Hammersley, Sobol, rank-1 lattices. They have no seed.
 //
-// For a picture they are bent (see Warp), which keeps their count; every prefix of Halton's and Sobol's stays
-// a drawing.
+// For a picture they are bent (see BentSquare), which keeps their count; every prefix of Halton's and Sobol's
+// stays a drawing.
 
 #include <cstdint>
 

@@ -1,12 +1,12 @@
 #include "lab/related/white_noise.h"
 
 #include "core/tile/random.h"
-#include "lab/related/warp.h"
+#include "lab/related/bent_square.h"
 
 namespace dapple {
 
 PlainDots white_noise(const DotsWanted& wanted) {
-    const Warp warp(wanted.density);
+    const BentSquare warp(wanted.density);
     Random random(wanted.seed);
     PlainDots dots;
     dots.reserve(wanted.count);

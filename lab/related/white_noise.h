@@ -5,7 +5,7 @@
 
 namespace dapple {
 
-/// For a picture by inversion (see Warp). Any count.
+/// For a picture by inversion (see BentSquare). Any count.
 PlainDots white_noise(const DotsWanted& wanted);
 
 }  // namespace dapple

@@ -12,6 +12,7 @@
 #include "core/analysis/discrepancy.h"
 #include "core/analysis/distances.h"
 #include "core/tile/random.h"
+#include "lab/related/bent_square.h"
 #include "lab/related/best_candidate.h"
 #include "lab/related/dart_throwing.h"
 #include "lab/related/floyd_steinberg.h"
@@ -23,7 +24,6 @@
 #include "lab/related/plain_voronoi.h"
 #include "lab/related/quasi_random.h"
 #include "lab/related/wang_tiles.h"
-#include "lab/related/warp.h"
 #include "lab/related/white_noise.h"
 
 namespace dapple {

@@ -10,10 +10,10 @@ namespace dapple {
 /// Inverts the cumulative density, first of the rows, then within the row (Pharr, Jakob & Humphreys,
 /// "Physically Based Rendering", 2-D piecewise constant distributions). Pixels count as flat, so what comes
 /// out differs from the bilinear density by less than a pixel's width.
-class Warp {
+class BentSquare {
  public:
     /// None: the unit square as it is. Throws std::runtime_error if the density is 0 everywhere.
-    explicit Warp(const Density* density);
+    explicit BentSquare(const Density* density);
 
     /// From [0, 1) x [0, 1) to the page.
     glm::dvec2 operator()(glm::dvec2 even) const;

@@ -1,4 +1,4 @@
-#include "lab/related/warp.h"
+#include "lab/related/bent_square.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -22,7 +22,7 @@ Step step_at(const double* sums, std::size_t count, double value) {
 
 }  // namespace
 
-Warp::Warp(const Density* density) {
+BentSquare::BentSquare(const Density* density) {
     if (!density) return;
     width_ = density->width();
     height_ = density->height();
@@ -38,7 +38,7 @@ Warp::Warp(const Density* density) {
     if (!(rows_.back() > 0)) throw std::runtime_error("the picture is white: there is nothing to draw");
 }
 
-glm::dvec2 Warp::operator()(glm::dvec2 even) const {
+glm::dvec2 BentSquare::operator()(glm::dvec2 even) const {
     if (rows_.empty()) return even;
     const Step row = step_at(rows_.data(), std::size_t(height_), even.y * rows_.back());
     const double* const sums = columns_.data() + row.index * std::size_t(width_ + 1);
