@@ -9,6 +9,10 @@ std::string dapple_program() {
     return DAPPLE_PROGRAM;
 }
 
+std::string lab_program() {
+    return DAPPLE_LAB;
+}
+
 std::filesystem::path source_folder() {
     return DAPPLE_SOURCE;
 }

@@ -9,6 +9,8 @@ namespace dapple {
 
 /// The program that is tested; built with the tests that start it.
 std::string dapple_program();
+/// The laboratory's.
+std::string lab_program();
 
 std::filesystem::path source_folder();
 

@@ -94,13 +94,13 @@ class Scene {
 
     void must_fail(const std::string& arguments, const std::string& words) const {
         const std::size_t before = folder.entries();
-        const Outcome outcome = run_dapple(arguments);
+        const Outcome outcome = run_either(arguments);
         CAPTURE(arguments);
         CAPTURE(outcome.err);
         CHECK((outcome.status == 1 || outcome.status == 2));
         CHECK(outcome.out.empty());
         CHECK(outcome.sentences() == 1);
-        CHECK(outcome.err.starts_with("dapple: "));
+        CHECK((outcome.err.starts_with("dapple: ") || outcome.err.starts_with("dapple-lab: ")));
         CHECK(outcome.err.find(words) != std::string::npos);
         CHECK(text_of(folder / "old.svg") == "the old drawing");
         CHECK(folder.entries() == before);

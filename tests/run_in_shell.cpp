@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <regex>
 #include <sstream>
 
 #include "tests/file_text.h"
@@ -18,6 +19,7 @@ int Outcome::sentences() const {
 
 Outcome run_in_shell(const std::string& command) {
     setenv("DAPPLE", dapple_program().c_str(), 1);
+    setenv("DAPPLE_LAB", lab_program().c_str(), 1);
     const TemporaryFolder folder;
     put_text(folder / "command", command);
     const std::string at = folder.path().string();
@@ -30,6 +32,15 @@ Outcome run_in_shell(const std::string& command) {
 Outcome run_dapple(const std::string& arguments) {
     // Leaks of other libraries are reported where their callers can be told: in the tests of the parts.
     return run_in_shell("export ASAN_OPTIONS=detect_leaks=0; exec \"$DAPPLE\" " + arguments);
+}
+
+Outcome run_lab(const std::string& arguments) {
+    return run_in_shell("export ASAN_OPTIONS=detect_leaks=0; exec \"$DAPPLE_LAB\" " + arguments);
+}
+
+Outcome run_either(const std::string& arguments) {
+    static const std::regex of_lab("(analyse|compare|reproduce|volume|tile (rules|search|rank|check))\\b.*");
+    return std::regex_match(arguments, of_lab) ? run_lab(arguments) : run_dapple(arguments);
 }
 
 std::set<std::string> commands_in_help(const std::string& command) {

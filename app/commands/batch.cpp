@@ -11,9 +11,9 @@
 #include <thread>
 
 #include "app/commands/render_report.h"
-#include "app/files/atomic_file.h"
-#include "app/progress_line.h"
 #include "core/text/shown_text.h"
+#include "io/files/atomic_file.h"
+#include "io/progress_line.h"
 
 namespace dapple {
 namespace {

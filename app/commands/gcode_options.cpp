@@ -7,8 +7,8 @@
 #include <string>
 #include <system_error>
 
-#include "app/commands/options.h"
-#include "app/files/gcode_template.h"
+#include "io/command_line/options.h"
+#include "io/files/gcode_template.h"
 
 namespace dapple {
 namespace {

@@ -5,19 +5,19 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include "app/available_memory.h"
-#include "app/commands/files_in_use.h"
-#include "app/commands/options.h"
-#include "app/commands/remarks.h"
-#include "app/files/atomic_file.h"
-#include "app/files/environment_file.h"
-#include "app/files/exr_file.h"
-#include "app/files/file_ending.h"
-#include "app/files/save_lights.h"
-#include "app/files/tile_library.h"
 #include "core/image/sky.h"
 #include "core/text/shown_text.h"
-#include "lab/reports/light_report.h"
+#include "io/available_memory.h"
+#include "io/command_line/files_in_use.h"
+#include "io/command_line/options.h"
+#include "io/command_line/remarks.h"
+#include "io/files/atomic_file.h"
+#include "io/files/environment_file.h"
+#include "io/files/exr_file.h"
+#include "io/files/file_ending.h"
+#include "io/files/save_lights.h"
+#include "io/files/tile_library.h"
+#include "io/reports/light_report.h"
 
 namespace dapple {
 namespace {

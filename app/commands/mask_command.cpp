@@ -8,18 +8,18 @@
 #include <utility>
 #include <vector>
 
-#include "app/commands/files_in_use.h"
-#include "app/commands/options.h"
-#include "app/commands/remarks.h"
-#include "app/files/atomic_file.h"
-#include "app/files/file_ending.h"
-#include "app/files/picture.h"
-#include "app/files/png_file.h"
-#include "app/files/tile_library.h"
-#include "app/progress_line.h"
 #include "core/maths/portable_math.h"
 #include "core/screening/tile_mask.h"
 #include "core/text/numbers.h"
+#include "io/command_line/files_in_use.h"
+#include "io/command_line/options.h"
+#include "io/command_line/remarks.h"
+#include "io/files/atomic_file.h"
+#include "io/files/file_ending.h"
+#include "io/files/picture.h"
+#include "io/files/png_file.h"
+#include "io/files/tile_library.h"
+#include "io/progress_line.h"
 
 namespace dapple {
 namespace {

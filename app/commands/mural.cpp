@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "app/commands/options.h"
 #include "app/commands/render_report.h"
-#include "app/files/atomic_file.h"
-#include "app/files/sheet_files.h"
-#include "app/progress_line.h"
 #include "core/text/shown_text.h"
+#include "io/command_line/options.h"
+#include "io/files/atomic_file.h"
+#include "io/files/sheet_files.h"
+#include "io/progress_line.h"
 
 namespace dapple {
 

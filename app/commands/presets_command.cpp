@@ -4,7 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/settings/presets.h"
+#include "io/settings/presets.h"
 
 namespace dapple {
 

@@ -3,9 +3,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "app/settings/project.h"
 #include "core/settings/drawing_fields.h"
 #include "core/text/shown_text.h"
+#include "io/settings/project.h"
 
 namespace dapple {
 

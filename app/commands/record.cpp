@@ -7,17 +7,17 @@
 #include <string>
 #include <vector>
 
-#include "app/commands/files_in_use.h"
-#include "app/commands/options.h"
 #include "app/commands/project_input.h"
-#include "app/commands/remarks.h"
 #include "app/commands/settings_options.h"
-#include "app/files/sample.h"
-#include "app/files/save_drawing.h"
-#include "app/files/tile_library.h"
-#include "app/film/save_film.h"
-#include "app/progress_line.h"
-#include "app/settings/project.h"
+#include "io/command_line/files_in_use.h"
+#include "io/command_line/options.h"
+#include "io/command_line/remarks.h"
+#include "io/files/sample.h"
+#include "io/files/save_drawing.h"
+#include "io/files/tile_library.h"
+#include "io/film/save_film.h"
+#include "io/progress_line.h"
+#include "io/settings/project.h"
 
 namespace dapple {
 namespace {

@@ -4,10 +4,10 @@
 #include <filesystem>
 #include <optional>
 
-#include "app/files/picture.h"
-#include "app/film/film.h"
-#include "app/settings/embedded_settings.h"
 #include "core/drawing/settings.h"
+#include "io/files/picture.h"
+#include "io/film/film.h"
+#include "io/settings/embedded_settings.h"
 
 namespace CLI {
 class App;

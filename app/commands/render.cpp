@@ -14,20 +14,8 @@
 #include <utility>
 #include <vector>
 
-#include "app/available_memory.h"
-#include "app/commands/remarks.h"
 #include "app/commands/render_page.h"
 #include "app/commands/render_report.h"
-#include "app/files/atomic_file.h"
-#include "app/files/file_size.h"
-#include "app/files/pdf_file.h"
-#include "app/files/sample.h"
-#include "app/files/save_drawing.h"
-#include "app/files/separations.h"
-#include "app/files/standard_input.h"
-#include "app/files/tile_library.h"
-#include "app/progress_line.h"
-#include "app/settings/embedded_settings.h"
 #include "core/drawing/drawing_file.h"
 #include "core/drawing/pipeline.h"
 #include "core/image/ink_use.h"
@@ -35,6 +23,18 @@
 #include "core/placing/stipple.h"
 #include "core/text/number_words.h"
 #include "core/text/shown_text.h"
+#include "io/available_memory.h"
+#include "io/command_line/remarks.h"
+#include "io/files/atomic_file.h"
+#include "io/files/file_size.h"
+#include "io/files/pdf_file.h"
+#include "io/files/sample.h"
+#include "io/files/save_drawing.h"
+#include "io/files/separations.h"
+#include "io/files/standard_input.h"
+#include "io/files/tile_library.h"
+#include "io/progress_line.h"
+#include "io/settings/embedded_settings.h"
 
 namespace dapple {
 namespace {

@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "app/files/atomic_file.h"
-#include "app/files/drawing_format.h"
-#include "app/files/picture.h"
 #include "core/drawing/settings.h"
 #include "core/output/sheet.h"
+#include "io/files/atomic_file.h"
+#include "io/files/drawing_format.h"
+#include "io/files/picture.h"
 
 namespace dapple {
 

@@ -7,11 +7,11 @@
 #include <string>
 
 #include "app/commands/batch.h"
-#include "app/commands/options.h"
 #include "app/commands/settings_options.h"
-#include "app/files/save_drawing.h"
 #include "core/drawing/drawing_facts.h"
 #include "core/drawing/gcode_choice.h"
+#include "io/command_line/options.h"
+#include "io/files/save_drawing.h"
 
 namespace dapple {
 namespace {

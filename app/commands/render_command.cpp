@@ -2,28 +2,36 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "app/commands/batch.h"
-#include "app/commands/files_in_use.h"
 #include "app/commands/gcode_options.h"
 #include "app/commands/mural.h"
-#include "app/commands/options.h"
 #include "app/commands/project_input.h"
 #include "app/commands/render_checks.h"
 #include "app/commands/render_report.h"
 #include "app/commands/settings_options.h"
-#include "app/files/atomic_file.h"
-#include "app/files/save_drawing.h"
-#include "app/settings/project.h"
 #include "core/text/numbers.h"
+#include "io/command_line/files_in_use.h"
+#include "io/command_line/options.h"
+#include "io/files/atomic_file.h"
+#include "io/files/save_drawing.h"
+#include "io/files/separations.h"
+#include "io/files/sheet_files.h"
+#include "io/settings/project.h"
 
 namespace dapple {
 namespace {
+
+namespace fs = std::filesystem;
 
 // A picture, or a project that names one and says how it is drawn.
 void take_image(RenderOptions& options, const std::filesystem::path& file) {
@@ -88,6 +96,59 @@ constexpr const char* kExamples =
     "  dapple render dog.jpg -o dog.svg --settings-from cat.svg   as cat.svg was drawn\n"
     "  dapple render -o sample.svg --invert --ink '#fff' --paper '#000' --background";
 
+void add_drawing(const RenderOptions& options, const fs::path& output, std::vector<FileInUse>& written) {
+    const PenChoice& choice = options.drawing.pens;
+    Palette pens;
+    if (choice.set != PenSet::automatic) pens = palette_of(choice);
+    sort_pens(pens, choice.order);
+    std::vector<fs::path> files = is_several(options.drawing.sheets)
+                                      ? files_of(output, options.drawing.sheets, options.saving, pens)
+                                      : files_of(output, format_of(options), options.saving, pens);
+    for (fs::path& file : files)
+        written.push_back({std::move(file), files.size() > 1 ? "a part of the drawing" : "the drawing"});
+}
+
+// None of the drawings, their sheets, the pens' own files and the figures may be written over what is read,
+// or over each other. Files of pens that are chosen from a picture are not known yet: what they must not be
+// written over is left in options.read.
+void check_files_apart(const CLI::App& command, RenderOptions& options, std::span<const fs::path> pictures) {
+    // A drawing may take the place of the one that its settings are from, but the figures may not.
+    options.read = files_read(command, {"--output", "--stats", "--settings-from"});
+    if (options.image) options.read.push_back({*options.image, "the picture"});
+    options.read.push_back({options.drawing.tile, "the tile"});
+    std::vector<FileInUse> written;
+    for (const fs::path& picture : pictures)
+        add_drawing(options, output_in(options.output, picture, format_of(options)), written);
+    if (pictures.empty() && !is_standard_stream(options.output))
+        add_drawing(options, options.output, written);
+    const bool figures = options.stats && !is_standard_stream(*options.stats);
+    if (figures) written.push_back({*options.stats, "the figures"});
+    check_apart(written, options.read);
+    if (figures && command.count("--settings-from") > 0)
+        check_apart({written.back()}, {{command["--settings-from"]->as<std::string>(), "the settings"}});
+}
+
+// The share of this process among those that Open MPI, Slurm or a starter with PMI has begun.
+WorkShare share_of_rank() {
+    constexpr std::array kStarters{
+        std::pair{"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"},
+        std::pair{"PMI_RANK", "PMI_SIZE"},
+        std::pair{"SLURM_PROCID", "SLURM_NTASKS"},
+    };
+    for (const auto& [rank_name, size_name] : kStarters) {
+        const char* const rank_text = std::getenv(rank_name);
+        const char* const size_text = std::getenv(size_name);
+        if (!rank_text || !size_text) continue;
+        const auto rank = number_of<std::size_t>(rank_text), size = number_of<std::size_t>(size_text);
+        if (!rank || !size || *rank >= *size)
+            throw std::runtime_error(fmt::format("auto: {}={} and {}={} are no rank among several", rank_name,
+                                                 rank_text, size_name, size_text));
+        return {*rank, *size};
+    }
+    throw std::runtime_error(
+        "auto is for runs that mpirun or srun starts, which say their rank; give a share such as 1/4");
+}
+
 }  // namespace
 
 RenderCommand::RenderCommand(CLI::App& program) {
@@ -146,16 +207,16 @@ void RenderCommand::add_output_options(CLI::App& command) {
         command, "--jobs", jobs_, {.least = 0, .most = 256},
         "How many pictures to draw at a time, where there are several; 0: one for each two cores, 4 at most");
     add_text(
-        command, "--share", "R/N",
+        command, "--share", "R/N|auto",
         [this](const std::string& text) {
+            if (text == "auto") return void(options_.share = share_of_rank());
             const auto share = numbers_of<std::size_t, 2>(text, "/");
             if (!share || (*share)[0] < 1 || (*share)[0] > (*share)[1])
                 throw std::runtime_error(text + " is no share; give one such as 1/4, the first of four");
             options_.share = {(*share)[0] - 1, (*share)[1]};
         },
         "Of several pictures or sheets only each N-th, from the R-th on, so that N runs, on as many "
-        "machines, "
-        "share the work");
+        "machines, share the work; auto: the share of this run's rank, as mpirun and srun say it");
     command
         .add_option("--stats", options_.stats,
                     "Save figures about the drawing, as JSON; - for the standard output")
@@ -201,7 +262,7 @@ void RenderCommand::run(const CLI::App& command) {
     if (!pictures_.empty() && is_several(options_.drawing.sheets))
         throw CLI::ValidationError("--sheets", "is for one picture; draw the others' sheets by themselves");
     check_names_differ(pictures_, options_.output, format_of(options_));
-    check_apart(command, options_, pictures_);
+    check_files_apart(command, options_, pictures_);
     if (pictures_.empty()) {
         if (is_several(options_.drawing.sheets))
             render_mural(options_);

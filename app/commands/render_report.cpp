@@ -12,13 +12,13 @@
 #include <string>
 #include <system_error>
 
-#include "app/commands/options.h"
-#include "app/files/atomic_file.h"
-#include "app/files/save_drawing.h"
-#include "app/files/separations.h"
 #include "core/text/number_words.h"
 #include "core/text/shown_text.h"
 #include "core/tile/tile_file.h"
+#include "io/command_line/options.h"
+#include "io/files/atomic_file.h"
+#include "io/files/save_drawing.h"
+#include "io/files/separations.h"
 
 namespace dapple {
 namespace {

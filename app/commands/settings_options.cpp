@@ -5,9 +5,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "app/commands/options.h"
-#include "app/commands/remarks.h"
-#include "app/settings/presets.h"
+#include "io/command_line/options.h"
+#include "io/command_line/remarks.h"
+#include "io/settings/presets.h"
 
 namespace dapple {
 

@@ -5,9 +5,9 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 
-#include "app/files/picture.h"
-#include "app/settings/embedded_settings.h"
 #include "core/drawing/settings.h"
+#include "io/files/picture.h"
+#include "io/settings/embedded_settings.h"
 
 namespace dapple {
 

@@ -7,16 +7,16 @@
 #include <stdexcept>
 #include <vector>
 
-#include "app/commands/files_in_use.h"
 #include "app/commands/gcode_options.h"
-#include "app/commands/options.h"
-#include "app/files/atomic_file.h"
-#include "app/files/save_drawing.h"
 #include "core/drawing/gcode_choice.h"
 #include "core/output/stroke_figures.h"
 #include "core/output/test_sheet.h"
 #include "core/text/number_words.h"
 #include "core/text/shown_text.h"
+#include "io/command_line/files_in_use.h"
+#include "io/command_line/options.h"
+#include "io/files/atomic_file.h"
+#include "io/files/save_drawing.h"
 
 namespace dapple {
 namespace {

@@ -3,13 +3,13 @@
 #include <filesystem>
 #include <memory>
 
-#include "app/files/tile_library.h"
-#include "app/settings/palettes.h"
-#include "app/settings/presets.h"
-#include "app/settings/xdg_folders.h"
 #include "app/viewer/shell/drawing_document.h"
 #include "app/viewer/shell/lights_document.h"
 #include "app/viewer/shell/shell.h"
+#include "io/files/tile_library.h"
+#include "io/settings/palettes.h"
+#include "io/settings/presets.h"
+#include "io/settings/xdg_folders.h"
 
 namespace dapple {
 

@@ -1,5 +1,5 @@
 #pragma once
-// All that is known about one point set, in one value: for `dapple analyse`, for the window, for a table.
+// All that is known about one point set, in one value: for `dapple-lab analyse`, for the window, for a table.
 
 #include <cstddef>
 #include <glm/vec2.hpp>

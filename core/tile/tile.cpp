@@ -284,6 +284,17 @@ std::vector<std::string> words_of(const std::vector<BinaryPoint>& points, const 
     return words_along(letters, successor);
 }
 
+TileIntegers integers_of(std::string_view word) {
+    assert(!word.empty() && word.size() <= kMaxIdentityWord);
+    TileIntegers integers;
+    for (const char c : word) {
+        const auto letter = static_cast<std::uint64_t>(c - '0');
+        integers.a = integers.a << 1 | (letter & 1);
+        integers.b = integers.b << 1 | letter >> 1;
+    }
+    return integers;
+}
+
 Tile parse_tile_integers(std::string_view text) {
     const auto numbers = numbers_of<std::uint64_t, 3>(text, ",/");
     if (!numbers) {
@@ -315,6 +326,30 @@ std::vector<Newborn> newborns_of(const Tile& tile) {
         }
     }
     return newborns;
+}
+
+std::string text_of(const Rule& rule) {
+    std::string digits;
+    for (const Orientation h : rule.child) digits += static_cast<char>('0' + h.index);
+    return digits;
+}
+
+std::optional<std::string> paper_notation(const Tile& tile) {
+    const bool one_cycle = tile.words.size() == 1 && tile.words[0].size() == tile.size();
+    if (tile.rule != Rule{} || !one_cycle || tile.size() > kMaxIdentityWord) return std::nullopt;
+    const TileIntegers integers = integers_of(tile.words[0]);
+    return fmt::format("{},{}/{}", integers.a, integers.b, tile.size());
+}
+
+std::string headline(const Tile& tile) {
+    if (tile.kinds() > 1) {
+        return fmt::format("{} kinds of {} points, rule {}", tile.kinds(), tile.size(), text_of(tile.rule));
+    }
+    std::string text = fmt::format("{} points, rule {}, {} word{}", tile.size(), text_of(tile.rule),
+                                   tile.words.size(), tile.words.size() == 1 ? "" : "s");
+    if (const auto integers = paper_notation(tile))
+        text += fmt::format(", {} in the paper's notation", *integers);
+    return text;
 }
 
 }  // namespace dapple

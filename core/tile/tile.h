@@ -95,8 +95,28 @@ std::vector<std::string> words_of(const std::vector<BinaryPoint>& points, const 
 /// order of the points without predecessor.
 std::vector<std::string> words_along(std::span<const char> letters, std::span<const std::uint32_t> successor);
 
+/// Letters of the longest word for which a tile's distances can be compared as whole numbers of 128 bits.
+inline constexpr int kMaxIdentityWord = 60;
+
+/// The paper's pair of integers for a word of 1..kMaxIdentityWord letters: its tile is
+/// make_tile(a, b, word.size()).
+struct TileIntegers {
+    std::uint64_t a = 0, b = 0;
+    bool operator==(const TileIntegers&) const = default;
+};
+TileIntegers integers_of(std::string_view word);
+
 /// "14217,2895/16", the paper's way to write a tile. Throws std::runtime_error saying what is wrong.
 Tile parse_tile_integers(std::string_view text);
+
+/// The paper's pair of integers, "14217,2895/16", if it can write the tile: identity rule, one cycle.
+std::optional<std::string> paper_notation(const Tile& tile);
+
+/// "3760": how the tile is turned in each quadrant.
+std::string text_of(const Rule& rule);
+
+/// "16 points, rule 0000, 1 word, 14217,2895/16 in the paper's notation", "4 kinds of 64 points, rule 0000".
+std::string headline(const Tile& tile);
 
 /// A child's point that its parent does not have.
 struct Newborn {

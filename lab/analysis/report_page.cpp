@@ -7,14 +7,14 @@
 #include <cmath>
 #include <sstream>
 
-#include "app/files/png_file.h"
 #include "core/analysis/spectrum_picture.h"
 #include "core/output/raster.h"
 #include "core/text/length.h"
 #include "core/text/shown_text.h"
 #include "core/tile/tile_file.h"
-#include "lab/reports/html.h"
-#include "lab/reports/plot.h"
+#include "io/files/png_file.h"
+#include "io/reports/html.h"
+#include "io/reports/plot.h"
 
 namespace dapple {
 namespace {

@@ -9,16 +9,16 @@
 #include <stdexcept>
 #include <utility>
 
-#include "app/files/file_ending.h"
-#include "app/files/sample.h"
-#include "app/files/text_file.h"
-#include "app/files/tile_library.h"
 #include "core/analysis/point_table.h"
 #include "core/drawing/pipeline.h"
 #include "core/image/exposure.h"
 #include "core/output/raster.h"
 #include "core/text/length.h"
 #include "core/text/shown_text.h"
+#include "io/files/file_ending.h"
+#include "io/files/sample.h"
+#include "io/files/text_file.h"
+#include "io/files/tile_library.h"
 #include "lab/analysis/drawing_points.h"
 
 namespace dapple {

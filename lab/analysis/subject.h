@@ -1,5 +1,5 @@
 #pragma once
-// What dapple analyse looks at: points from a table, the dots of a picture, or those of a constant grey.
+// What dapple-lab analyse looks at: points from a table, the dots of a picture, or those of a constant grey.
 
 #include <cstdint>
 #include <filesystem>
@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "app/files/picture.h"
 #include "core/analysis/domain.h"
 #include "core/analysis/tone_fidelity.h"
 #include "core/drawing/settings.h"
 #include "core/image/grid.h"
+#include "io/files/picture.h"
 #include "lab/related/methods.h"
 
 namespace dapple {

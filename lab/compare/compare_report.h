@@ -1,5 +1,5 @@
 #pragma once
-// What dapple compare measured: as text, as JSON and as a page.
+// What dapple-lab compare measured: as text, as JSON and as a page.
 
 #include <span>
 #include <string>

@@ -8,12 +8,12 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "app/files/tile_library.h"
 #include "core/drawing/request.h"
 #include "core/drawing/settings.h"
 #include "core/placing/stipple.h"
 #include "core/relaxing/relax.h"
 #include "core/relaxing/stir.h"
+#include "io/files/tile_library.h"
 #include "lab/related/methods.h"
 
 namespace dapple {

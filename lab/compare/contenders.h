@@ -1,5 +1,5 @@
 #pragma once
-// What dapple compare measures: dapple itself, the paper's tile, and the methods of lab/related.
+// What dapple-lab compare measures: dapple itself, the paper's tile, and the methods of lab/related.
 
 #include <functional>
 #include <string>

@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "core/text/shown_text.h"
+#include "io/reports/html.h"
+#include "io/reports/plot.h"
 #include "lab/compare/compare_report.h"
 #include "lab/compare/tables.h"
-#include "lab/reports/html.h"
-#include "lab/reports/plot.h"
 
 namespace dapple {
 namespace {
@@ -127,11 +127,11 @@ void add_drawings(HtmlPage& page, std::span<const MeasuredMethod> measured, cons
 
 std::string compare_page(std::span<const MeasuredMethod> measured, const CompareRequest& request) {
     HtmlPage page("Dapple and related methods, measured");
-    page.paragraph(
-        fmt::format("By dapple compare, on this machine, seed {}. Each method is a plain program from its "
-                    "own paper; a dash stands for what took longer than {:g} seconds, or does not apply to a "
-                    "method. Time is processor time, all work done by one thread.",
-                    request.seed, request.seconds));
+    page.paragraph(fmt::format(
+        "By dapple-lab compare, on this machine, seed {}. Each method is a plain program from its "
+        "own paper; a dash stands for what took longer than {:g} seconds, or does not apply to a "
+        "method. Time is processor time, all work done by one thread.",
+        request.seed, request.seconds));
     for (const PlacesTable& places : places_tables(measured, request)) {
         page.heading(places.title);
         std::vector<HtmlPage::Row> rows;

@@ -1,5 +1,5 @@
 #pragma once
-// What dapple compare measured, as rows of words for text and page alike.
+// What dapple-lab compare measured, as rows of words for text and page alike.
 
 #include <span>
 #include <string>

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "lab/reports/html.h"
+#include "io/reports/html.h"
 
 namespace dapple {
 

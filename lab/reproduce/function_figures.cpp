@@ -1,7 +1,7 @@
 #include <array>
 #include <limits>
 
-#include "lab/reports/plot.h"
+#include "io/reports/plot.h"
 #include "lab/reproduce/figures.h"
 
 namespace dapple {

@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 
-#include "app/files/environment_file.h"
 #include "core/image/sky.h"
 #include "core/lights/light_picture.h"
 #include "core/text/shown_text.h"
+#include "io/files/environment_file.h"
 #include "lab/analysis/report_page.h"
 #include "lab/reproduce/figure8_dots.h"
 #include "lab/reproduce/figures.h"

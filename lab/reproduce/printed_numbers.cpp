@@ -227,7 +227,7 @@ std::vector<ComparedNumber> compare_larger_tiles() {
     rows.push_back({.what = fmt::format("relative radius, best tile of 32 points, {}", kBestTileOf32),
                     .expected = std::string(kBestOf32),
                     .ours = six_digits(relative_radius(parse_tile_integers(kBestTileOf32).words.at(0))),
-                    .source = "dapple tile search --points 32 --top 1",
+                    .source = "dapple-lab tile search --points 32 --top 1",
                     .origin = Origin::ours});
     add_radii(rows, 36, std::array{kBestOf36}, source, Origin::ours);
     for (std::size_t i = 0; i < kBestOfCycles.size(); ++i) {

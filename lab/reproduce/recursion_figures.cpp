@@ -6,9 +6,9 @@
 #include "core/analysis/report.h"
 #include "core/analysis/spectrum_picture.h"
 #include "core/output/svg.h"
+#include "io/reports/plot.h"
 #include "lab/analysis/report_page.h"
 #include "lab/analysis/subject.h"
-#include "lab/reports/plot.h"
 #include "lab/reproduce/figures.h"
 
 namespace dapple {

@@ -3,13 +3,13 @@
 #include <array>
 #include <span>
 
-#include "app/files/sample.h"
-#include "app/files/tile_library.h"
 #include "core/image/ink.h"
 #include "core/image/tone.h"
 #include "core/output/raster.h"
 #include "core/text/length.h"
 #include "core/text/shown_text.h"
+#include "io/files/sample.h"
+#include "io/files/tile_library.h"
 #include "lab/analysis/report_page.h"
 #include "lab/reproduce/figure8_dots.h"
 #include "lab/reproduce/figures.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "lab/reports/tile_figure.h"
+#include "io/reports/tile_figure.h"
 #include "lab/reproduce/figures.h"
 #include "lab/search/cycle_search.h"
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "core/tile/random.h"
-#include "core/volume/cyclic_tile.h"
+#include "lab/volume/cyclic_tile.h"
 
 namespace dapple {
 

@@ -45,17 +45,6 @@ std::uint64_t torus_distance(std::uint64_t a, std::uint64_t b, std::uint64_t per
 
 }  // namespace
 
-TileIntegers integers_of(std::string_view word) {
-    assert(!word.empty() && word.size() <= kMaxIdentityWord);
-    TileIntegers integers;
-    for (const char c : word) {
-        const auto letter = static_cast<std::uint64_t>(c - '0');
-        integers.a = integers.a << 1 | (letter & 1);
-        integers.b = integers.b << 1 | letter >> 1;
-    }
-    return integers;
-}
-
 double relative_radius(std::string_view word) {
     assert(word.size() >= 2 && word.size() <= kMaxIdentityWord);
     const std::size_t count = word.size();

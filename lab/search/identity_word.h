@@ -6,22 +6,12 @@
 // (Lagae & Dutré 2006, section 4).
 
 #include <array>
-#include <cstdint>
 #include <string>
 #include <string_view>
 
+#include "core/tile/tile.h"
+
 namespace dapple {
-
-/// The longest word that the functions below take: squared distances then fit 128 bits.
-inline constexpr int kMaxIdentityWord = 60;
-
-/// The paper's pair of integers for a word of 1..kMaxIdentityWord letters: its tile is
-/// make_tile(a, b, word.size()).
-struct TileIntegers {
-    std::uint64_t a = 0, b = 0;
-    bool operator==(const TileIntegers&) const = default;
-};
-TileIntegers integers_of(std::string_view word);
 
 /// Half the smallest distance between two points on the torus, over r_max = sqrt(1 / (2 sqrt(3) N)); 0 if two
 /// points coincide. For words of 2..kMaxIdentityWord letters. Squared distances are compared as integers, so

@@ -7,7 +7,6 @@
 #include <string_view>
 
 #include "lab/search/criteria.h"
-#include "lab/search/identity_word.h"
 
 namespace dapple {
 namespace {
@@ -68,30 +67,6 @@ std::vector<TileMark> in_words(const TileMarks& marks) {
              verdict(marks.lattice_share, 0.4, 0.7, {"irregular", "rows may show", "nearly a lattice"}))},
         coincidence,
     };
-}
-
-std::string text_of(const Rule& rule) {
-    std::string digits;
-    for (const Orientation h : rule.child) digits += static_cast<char>('0' + h.index);
-    return digits;
-}
-
-std::optional<std::string> paper_notation(const Tile& tile) {
-    const bool one_cycle = tile.words.size() == 1 && tile.words[0].size() == tile.size();
-    if (tile.rule != Rule{} || !one_cycle || tile.size() > kMaxIdentityWord) return std::nullopt;
-    const TileIntegers integers = integers_of(tile.words[0]);
-    return fmt::format("{},{}/{}", integers.a, integers.b, tile.size());
-}
-
-std::string headline(const Tile& tile) {
-    if (tile.kinds() > 1) {
-        return fmt::format("{} kinds of {} points, rule {}", tile.kinds(), tile.size(), text_of(tile.rule));
-    }
-    std::string text = fmt::format("{} points, rule {}, {} word{}", tile.size(), text_of(tile.rule),
-                                   tile.words.size(), tile.words.size() == 1 ? "" : "s");
-    if (const auto integers = paper_notation(tile))
-        text += fmt::format(", {} in the paper's notation", *integers);
-    return text;
 }
 
 }  // namespace dapple

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,14 +34,5 @@ struct TileMark {
     std::string name, value, meaning;
 };
 std::vector<TileMark> in_words(const TileMarks& marks);
-
-/// "3760", as dapple tile search --rule takes it.
-std::string text_of(const Rule& rule);
-
-/// The paper's pair of integers, "14217,2895/16", if it can write the tile: identity rule, one cycle.
-std::optional<std::string> paper_notation(const Tile& tile);
-
-/// "16 points, rule 0000, 1 word, 14217,2895/16 in the paper's notation", "4 kinds of 64 points, rule 0000".
-std::string headline(const Tile& tile);
 
 }  // namespace dapple

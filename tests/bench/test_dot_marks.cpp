@@ -1,4 +1,4 @@
-#include "bench/dot_marks.h"
+#include "tests/bench/dot_marks.h"
 
 #include <doctest/doctest.h>
 

@@ -6,8 +6,8 @@
 #include <set>
 #include <string>
 
-#include "fuzz/mutations.h"
-#include "fuzz/watched_runs.h"
+#include "tests/fuzz/mutations.h"
+#include "tests/fuzz/watched_runs.h"
 
 using namespace dapple;
 

@@ -12,7 +12,7 @@
 #include <sstream>
 #include <string>
 
-#include "app/files/picture.h"
+#include "io/files/picture.h"
 #include "tests/file_text.h"
 #include "tests/places.h"
 #include "tests/window/running_viewer.h"
@@ -165,62 +165,6 @@ TEST_CASE("what the window exports is what the command writes, to the byte") {
     REQUIRE(viewer.shows([&] { return fs::exists(folder / "Still life.svg"); }));
     run({dapple_program(), "render", "-o", (folder / "command.svg").string()});
     CHECK(text_of(folder / "Still life.svg") == text_of(folder / "command.svg"));
-}
-
-TEST_CASE("dots in space are placed while their section is open, turn, and are turned by the mouse") {
-    const TemporaryFolder folder;
-    Display display;
-    RunningViewer viewer(folder.path(), {write_unrelaxed(folder)});
-    open_the_method(viewer);
-    CHECK_FALSE(viewer.status().contains("space"));
-    const auto space = [&](const char* what) { return viewer.status().value("space", json())[what]; };
-    const auto is_settled = [&](int dots) {
-        return viewer.shows([&] {
-            return viewer.status().contains("space") && space("dots") == dots && space("steps") == 20;
-        });
-    };
-    viewer.click("In space");
-    CHECK(is_settled(10'000));
-    viewer.click("cube");
-    viewer.key("t");
-    viewer.point_at("Dots there", 0.1);
-    viewer.press();
-    viewer.point_at("Dots there", 0);  // others come while one drags
-    viewer.release();
-    CHECK(is_settled(100));
-    const double turn = space("turn");
-    CHECK(viewer.shows([&] { return space("turn") != turn; }));
-
-    viewer.click("Turning");
-    viewer.point_at("Dots in space");
-    const double rest = space("turn"), down = space("down"), zoom = viewer.status()["zoom"];
-    const json at = viewer.status()["mouse"];
-    viewer.press();
-    viewer.move(at[0].get<double>() + 60, at[1].get<double>() + 30);
-    viewer.release();
-    CHECK(viewer.shows([&] { return space("turn") > rest && space("down") > down; }));
-    CHECK(viewer.status()["zoom"] == zoom);
-    for (const auto& [width, height] : {std::pair(640, 480), {320, 200}, {50, 50}, {1, 1}, {1280, 800}}) {
-        viewer.resize(width, height);
-        viewer.xdotool("sleep 0.1");
-    }
-    CHECK(viewer.shows([&] { return viewer.has("Dots in space"); }));
-    const auto rests = [&] {
-        const double before = viewer.processor_seconds();
-        viewer.xdotool("sleep 2");
-        return viewer.processor_seconds() - before < 0.02;
-    };
-    CHECK(wait_until(rests));  // as nothing turns
-
-    viewer.click("Turning");
-    viewer.point_at("Dots there", 1);
-    viewer.press();
-    viewer.release();
-    viewer.move(300, 300);
-    viewer.key("Escape");  // the column is left while 100,000 dots settle
-    CHECK(viewer.shows([&] { return !viewer.status().contains("space"); }));
-    CHECK(wait_until(rests));
-    CHECK(viewer.quit() == 0);
 }
 
 TEST_CASE(

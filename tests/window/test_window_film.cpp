@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "app/files/picture.h"
+#include "io/files/picture.h"
 #include "tests/places.h"
 #include "tests/window/running_viewer.h"
 

@@ -6,7 +6,7 @@
 #include <glm/common.hpp>
 #include <string>
 
-#include "app/files/picture.h"
+#include "io/files/picture.h"
 #include "tests/file_text.h"
 #include "tests/mean_light.h"
 #include "tests/places.h"

@@ -7,8 +7,8 @@
 #include <new>
 #include <utility>
 
-#include "app/files/tile_library.h"
 #include "app/viewer/background/mipmaps.h"
+#include "io/files/tile_library.h"
 
 namespace dapple {
 namespace {

@@ -13,13 +13,13 @@
 #include <utility>
 #include <vector>
 
-#include "app/files/picture.h"
-#include "app/files/save_drawing.h"
 #include "app/viewer/background/background.h"
 #include "app/viewer/background/placed_drawing.h"
 #include "app/viewer/background/spare_drawings.h"
 #include "app/viewer/background/tile_view.h"
 #include "core/drawing/pipeline.h"
+#include "io/files/picture.h"
+#include "io/files/save_drawing.h"
 
 namespace dapple {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "app/files/child_output.h"
+#include "io/files/child_output.h"
 
 namespace dapple {
 namespace {

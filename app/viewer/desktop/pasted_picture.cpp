@@ -13,9 +13,9 @@
 #include <string>
 #include <vector>
 
-#include "app/files/atomic_file.h"
-#include "app/files/child_output.h"
-#include "app/settings/xdg_folders.h"
+#include "io/files/atomic_file.h"
+#include "io/files/child_output.h"
+#include "io/settings/xdg_folders.h"
 
 namespace dapple {
 namespace {

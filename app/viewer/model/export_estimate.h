@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "app/files/save_drawing.h"
 #include "app/viewer/model/pane.h"
 #include "core/output/findings.h"
 #include "core/output/machine_clock.h"
+#include "io/files/save_drawing.h"
 
 namespace dapple {
 

@@ -4,11 +4,11 @@
 #include <exception>
 #include <utility>
 
-#include "app/files/environment_file.h"
-#include "app/files/save_lights.h"
-#include "app/files/tile_library.h"
 #include "core/image/sky.h"
 #include "core/text/shown_text.h"
+#include "io/files/environment_file.h"
+#include "io/files/save_lights.h"
+#include "io/files/tile_library.h"
 
 namespace dapple {
 

@@ -11,12 +11,12 @@
 #include <span>
 #include <string>
 
-#include "app/files/save_lights.h"
 #include "app/viewer/background/background.h"
 #include "app/viewer/model/banner.h"
 #include "app/viewer/model/history.h"
 #include "app/viewer/model/lit_map.h"
 #include "app/viewer/model/tile_choices.h"
+#include "io/files/save_lights.h"
 
 namespace dapple {
 

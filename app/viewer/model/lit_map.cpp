@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
-#include "app/files/tile_library.h"
 #include "core/lights/light_picture.h"
 #include "core/lights/settling.h"
+#include "io/files/tile_library.h"
 
 namespace dapple {
 namespace {

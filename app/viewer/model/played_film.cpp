@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/film/film_frames.h"
+#include "io/film/film_frames.h"
 
 namespace dapple {
 

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "app/film/film.h"
 #include "app/viewer/background/dots_request.h"
 #include "app/viewer/model/viewer_settings.h"
+#include "io/film/film.h"
 
 namespace dapple {
 

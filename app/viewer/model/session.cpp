@@ -8,22 +8,22 @@
 #include <system_error>
 #include <utility>
 
-#include "app/files/atomic_file.h"
-#include "app/files/file_ending.h"
-#include "app/files/sample.h"
-#include "app/files/save_page.h"
-#include "app/files/separations.h"
-#include "app/files/sheet_files.h"
-#include "app/files/tile_library.h"
-#include "app/film/save_film.h"
-#include "app/settings/embedded_settings.h"
-#include "app/settings/presets.h"
 #include "app/viewer/desktop/pasted_picture.h"
 #include "app/viewer/model/change_words.h"
 #include "app/viewer/model/viewer_fields.h"
 #include "core/drawing/drawing_file.h"
 #include "core/settings/whole_path.h"
 #include "core/text/shown_text.h"
+#include "io/files/atomic_file.h"
+#include "io/files/file_ending.h"
+#include "io/files/sample.h"
+#include "io/files/save_page.h"
+#include "io/files/separations.h"
+#include "io/files/sheet_files.h"
+#include "io/files/tile_library.h"
+#include "io/film/save_film.h"
+#include "io/settings/embedded_settings.h"
+#include "io/settings/presets.h"
 
 namespace dapple {
 namespace {

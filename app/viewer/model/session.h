@@ -13,8 +13,6 @@
 #include <utility>
 #include <vector>
 
-#include "app/settings/embedded_settings.h"
-#include "app/settings/project.h"
 #include "app/viewer/model/banner.h"
 #include "app/viewer/model/crop_percent.h"
 #include "app/viewer/model/drawn_info.h"
@@ -25,6 +23,8 @@
 #include "app/viewer/model/shown_pens.h"
 #include "app/viewer/model/tile_choices.h"
 #include "app/viewer/model/viewer_settings.h"
+#include "io/settings/embedded_settings.h"
+#include "io/settings/project.h"
 
 namespace dapple {
 

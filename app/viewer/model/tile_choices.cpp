@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <system_error>
 
-#include "app/files/tile_library.h"
-#include "app/settings/working_folder.h"
 #include "core/settings/whole_path.h"
+#include "io/files/tile_library.h"
+#include "io/settings/working_folder.h"
 
 namespace dapple {
 

@@ -7,12 +7,12 @@
 #include <sstream>
 #include <string>
 
-#include "app/files/file_ending.h"
 #include "app/viewer/widgets/dialog.h"
 #include "app/viewer/widgets/keys.h"
 #include "app/viewer/widgets/picture_entry.h"
 #include "app/viewer/widgets/widgets.h"
 #include "core/text/shown_text.h"
+#include "io/files/file_ending.h"
 
 namespace dapple {
 namespace {

@@ -13,10 +13,10 @@
 #include <string>
 #include <system_error>
 
-#include "app/files/gcode_template.h"
 #include "app/viewer/widgets/row_keys.h"
 #include "app/viewer/widgets/widgets.h"
 #include "core/text/shown_text.h"
+#include "io/files/gcode_template.h"
 
 namespace dapple {
 namespace {

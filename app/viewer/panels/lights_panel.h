@@ -3,9 +3,9 @@
 
 #include <optional>
 
-#include "app/files/save_lights.h"
 #include "app/viewer/model/lit_map.h"
 #include "app/viewer/panels/tile_row.h"
+#include "io/files/save_lights.h"
 
 namespace dapple {
 

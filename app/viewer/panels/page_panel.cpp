@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "app/files/sheet_files.h"
 #include "app/viewer/widgets/widgets.h"
+#include "io/files/sheet_files.h"
 
 namespace dapple {
 namespace {

@@ -5,10 +5,10 @@
 #include <utility>
 #include <vector>
 
-#include "app/settings/palettes.h"
 #include "app/viewer/model/banner.h"
 #include "app/viewer/panels/kept_row.h"
 #include "core/pens/pen.h"
+#include "io/settings/palettes.h"
 
 namespace dapple {
 

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "app/settings/presets.h"
 #include "app/viewer/model/banner.h"
 #include "app/viewer/panels/kept_row.h"
 #include "app/viewer/widgets/picture_entry.h"
+#include "io/settings/presets.h"
 
 namespace dapple {
 

@@ -96,7 +96,7 @@ constexpr Entry kEntries[] = {
     {In::drawing,
      {Action::method, "M", "The method: tiles, ranks, spectrum", "The method",
       "How it works: the tile that all dots come from, its boundaries, its ranks, why it repeats or does "
-      "not, the spectrum of the dots, the same in space, and films of them."}},
+      "not, the spectrum of the dots, and films of them."}},
     {In::drawing, {Action::smaller_brush, "[", "A smaller brush, while one paints the mask"}},
     {In::drawing, {Action::larger_brush, "]", "A larger brush"}},
     {In::drawing,

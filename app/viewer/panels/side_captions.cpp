@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/files/tile_library.h"
 #include "app/viewer/panels/status_line.h"
 #include "app/viewer/widgets/theme.h"
+#include "io/files/tile_library.h"
 
 namespace dapple {
 namespace {

@@ -97,8 +97,6 @@ void SidePanel::draw_rows(Session& session) {
     draw_method_rows(session.settings, {session.tiles()});
     draw_compare_panel(session.settings, {session.tiles()});
     static_cast<void>(draw_spectrum_panel({}));
-    SpaceSettings space;
-    draw_space_panel(space);
     TilePanelState shown;
     draw_tile_panel(session.pane().tile(), shown);
 }
@@ -164,7 +162,6 @@ OpenSections SidePanel::draw(Session& session, const SpectrumInfo& spectrum,
         case Column::method:
             draw_method(session, act);
             open.spectrum = draw_spectrum_panel(spectrum);
-            open.space = draw_space_panel(space_);
             const Pane& pane = session.pane();
             if (tiles_seen_ != pane.tiles()) tile_ = {};
             tiles_seen_ = pane.tiles();

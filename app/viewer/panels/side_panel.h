@@ -10,7 +10,6 @@
 #include "app/viewer/panels/palette_row.h"
 #include "app/viewer/panels/preset_row.h"
 #include "app/viewer/panels/shortcuts.h"
-#include "app/viewer/panels/space_panel.h"
 #include "app/viewer/panels/spectrum_panel.h"
 #include "app/viewer/panels/tile_panel.h"
 
@@ -30,7 +29,7 @@ void end_side_panel();
 
 /// Which of its sections are open that others draw or measure for.
 struct OpenSections {
-    bool method = false, spectrum = false, space = false;  // see draw_spectrum_panel(), draw_space_panel()
+    bool method = false, spectrum = false;  // see draw_spectrum_panel()
 };
 
 /// That of a drawing, in the order in which an artist decides.
@@ -44,7 +43,6 @@ class SidePanel {
     static void draw_rows(Session& session);
 
     Column column() const { return column_; }
-    SpaceSettings& space() { return space_; }
     /// From the one that there is, back to the drawing.
     void turn_to(Column column, Session& session);
 
@@ -60,7 +58,6 @@ class SidePanel {
     PresetRow presets_;
     PaletteRow palettes_;
     TilePanelState tile_;
-    SpaceSettings space_;
     int tiles_seen_ = 0;
 };
 

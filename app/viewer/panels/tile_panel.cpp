@@ -8,11 +8,11 @@
 #include <glm/common.hpp>
 #include <string>
 
-#include "app/files/tile_library.h"
 #include "app/viewer/background/dot_colours.h"
 #include "app/viewer/widgets/theme.h"
 #include "app/viewer/widgets/widgets.h"
 #include "core/text/shown_text.h"
+#include "io/files/tile_library.h"
 
 namespace dapple {
 namespace {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <vector>
 
-#include "app/files/tile_library.h"
 #include "app/viewer/widgets/widgets.h"
 #include "core/drawing/settings.h"
+#include "io/files/tile_library.h"
 
 namespace dapple {
 

@@ -11,13 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "app/available_memory.h"
-#include "app/files/file_ending.h"
-#include "app/files/picture.h"
-#include "app/files/tile_library.h"
-#include "app/settings/embedded_settings.h"
-#include "app/settings/presets.h"
-#include "app/settings/working_folder.h"
 #include "app/viewer/background/mipmaps.h"
 #include "app/viewer/background/small_drawing.h"
 #include "app/viewer/canvas/dot_card.h"
@@ -41,6 +34,13 @@
 #include "app/viewer/widgets/widgets.h"
 #include "core/settings/whole_path.h"
 #include "core/text/shown_text.h"
+#include "io/available_memory.h"
+#include "io/files/file_ending.h"
+#include "io/files/picture.h"
+#include "io/files/tile_library.h"
+#include "io/settings/embedded_settings.h"
+#include "io/settings/presets.h"
+#include "io/settings/working_folder.h"
 
 namespace dapple {
 namespace {
@@ -100,7 +100,6 @@ DrawingDocument::DrawingDocument(const std::optional<fs::path>& image, const std
       spectrum_(Measure::everything, &Window::wake),
       side_panel_(presets, palettes),
       previews_(&Window::wake),
-      space_(&Window::wake),
       mask_reading_(&Window::wake) {
     ViewerSettings begin = session_.settings;
     begin.zoom_mode = view.zoom_mode;
@@ -387,10 +386,6 @@ void DrawingDocument::draw(const Frame& frame) {
         choose_variation(place);
     else if (panels && !session_.film)
         draw_canvas_tools(place.corner, side_panel_.column(), frame.act);
-    if (open_.space && !variations_)
-        space_.draw(side_panel_.space(), session_.settings.drawing.show_tiles, place, frame.last_seconds);
-    else
-        space_.hide();
     const Redraw redraw = frame.window.frame_is_unseen()  ? Redraw::later
                           : session_.settings.every_frame ? Redraw::always
                                                           : Redraw::when_changed;
@@ -598,11 +593,6 @@ std::optional<nlohmann::ordered_json> DrawingDocument::status() const {
                          {"divider", session_.settings.comparison.divider},
                          {"repetition", number(compared_.periodicity(*right))},
                          {"left_repetition", number(compared_.periodicity(session_.pane()))}};
-    if (const SpaceDots* const space = space_.dots())
-        line["space"] = {{"dots", space->places.size()},
-                         {"steps", space->steps},
-                         {"turn", space_.view().turn},
-                         {"down", space_.view().down}};
     if (session_.film)
         line["film"] = {{"kind", name_of(session_.film->kind)},
                         {"share", session_.film->share},
@@ -618,9 +608,8 @@ double DrawingDocument::seconds_to_next_frame() const {
     if (session_.film && session_.film->running) return kFilmFrame;
     const bool at_work = placing_seconds() > 0 || session_.pane().worker().opening();
     const double longest = at_work ? kLookForPlacing : 60;
-    return std::min({longest, seconds_until_change(session_.banner),
-                     canvas_.seconds_to_next_frame().value_or(longest),
-                     space_.seconds_to_next_frame().value_or(longest)});
+    return std::min(
+        {longest, seconds_until_change(session_.banner), canvas_.seconds_to_next_frame().value_or(longest)});
 }
 
 }  // namespace dapple

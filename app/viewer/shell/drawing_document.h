@@ -12,7 +12,6 @@
 #include "app/viewer/canvas/entry_pictures.h"
 #include "app/viewer/canvas/loupe.h"
 #include "app/viewer/canvas/mask_painter.h"
-#include "app/viewer/canvas/space_view.h"
 #include "app/viewer/model/compared_panes.h"
 #include "app/viewer/model/export_estimate.h"
 #include "app/viewer/panels/side_panel.h"
@@ -105,7 +104,6 @@ class DrawingDocument : public Document {
     EntryPictures previews_;  // of presets,
     int previewed_ = 0;       // and of the picture of that number
     Loupe loupe_;
-    SpaceView space_;
     MaskPainter mask_painter_;
     CropFrame crop_frame_;
     Background<Mask> mask_reading_;

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include "app/files/file_ending.h"
 #include "app/viewer/panels/shortcuts.h"
 #include "app/viewer/widgets/dialog.h"
 #include "app/viewer/widgets/keys.h"
@@ -17,6 +16,7 @@
 #include "app/viewer/widgets/theme.h"
 #include "app/viewer/widgets/widgets.h"
 #include "core/text/shown_text.h"
+#include "io/files/file_ending.h"
 
 namespace dapple {
 namespace {

@@ -7,7 +7,6 @@
 #include <string>
 #include <utility>
 
-#include "app/settings/working_folder.h"
 #include "app/viewer/panels/banner_panel.h"
 #include "app/viewer/panels/lights_panel.h"
 #include "app/viewer/panels/saving_banner.h"
@@ -18,6 +17,7 @@
 #include "app/viewer/widgets/theme.h"
 #include "app/viewer/widgets/widgets.h"
 #include "core/text/shown_text.h"
+#include "io/settings/working_folder.h"
 
 namespace dapple {
 namespace {

@@ -10,13 +10,13 @@
 #include <thread>
 #include <utility>
 
-#include "app/descriptor.h"
-#include "app/files/atomic_file.h"
-#include "app/settings/project.h"
 #include "core/settings/drawing_fields.h"
 #include "core/settings/settings_text.h"
 #include "core/settings/whole_path.h"
 #include "core/text/shown_text.h"
+#include "io/descriptor.h"
+#include "io/files/atomic_file.h"
+#include "io/settings/project.h"
 
 namespace dapple {
 namespace {

@@ -10,9 +10,6 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "app/files/tile_library.h"
-#include "app/settings/working_folder.h"
-#include "app/settings/xdg_folders.h"
 #include "app/viewer/desktop/desktop_folders.h"
 #include "app/viewer/desktop/pasted_files.h"
 #include "app/viewer/desktop/pasted_picture.h"
@@ -21,6 +18,9 @@
 #include "app/viewer/panels/about_panel.h"
 #include "app/viewer/panels/help_panel.h"
 #include "core/text/shown_text.h"
+#include "io/files/tile_library.h"
+#include "io/settings/working_folder.h"
+#include "io/settings/xdg_folders.h"
 
 namespace dapple {
 namespace {

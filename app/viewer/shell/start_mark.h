@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "app/descriptor.h"
+#include "io/descriptor.h"
 
 namespace dapple {
 

@@ -12,8 +12,8 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "app/settings/project.h"
 #include "core/text/shown_text.h"
+#include "io/settings/project.h"
 
 namespace dapple {
 namespace {

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/descriptor.h"
+#include "io/descriptor.h"
 
 namespace dapple {
 

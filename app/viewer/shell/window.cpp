@@ -142,7 +142,7 @@ Window::Window(const std::string& title, const WindowPlace& place)
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
 #endif
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-    // As install/dapple.desktop is called, so that a desktop knows the window's icon.
+    // As packaging/dapple.desktop is called, so that a desktop knows the window's icon.
     glfwWindowHintString(GLFW_X11_CLASS_NAME, "dapple");
     glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "dapple");
     window_ = glfwCreateWindow(kDefaultWidth, kDefaultHeight, title.c_str(), nullptr, nullptr);

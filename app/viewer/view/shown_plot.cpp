@@ -4,7 +4,7 @@
 #include <exception>
 #include <utility>
 
-#include "app/files/save_drawing.h"
+#include "io/files/save_drawing.h"
 
 namespace dapple {
 

@@ -8,10 +8,10 @@
 #include <span>
 #include <vector>
 
-#include "app/film/plot_film.h"
 #include "app/viewer/background/background.h"
 #include "app/viewer/background/placed_drawing.h"
 #include "core/drawing/settings.h"
+#include "io/film/plot_film.h"
 
 namespace dapple {
 

@@ -1,6 +1,6 @@
 #include "app/viewer/view/split_comparison.h"
 
-#include "app/files/tile_library.h"
+#include "io/files/tile_library.h"
 
 namespace dapple {
 

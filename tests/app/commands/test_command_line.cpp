@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "app/commands/wrapped_help.h"
+#include "io/command_line/wrapped_help.h"
 #include "tests/file_text.h"
 #include "tests/render_scene.h"
 #include "tests/run_in_shell.h"
@@ -47,13 +47,27 @@ TEST_CASE("help names every option and shows examples") {
 TEST_CASE("a misspelt command is told with the nearest one, and a name that may be a picture is none") {
     const Scene scene;
     scene.must_fail("rendr x", "there is no command \"rendr\"; did you mean \"render\"?");
-    scene.must_fail("analyze x -o y", "there is no command \"analyze\"; did you mean \"analyse\"?");
-    scene.must_fail("tile chekc paper16", "there is no command \"chekc\"; did you mean \"check\"?");
+    scene.must_fail("tile shwo paper16", "there is no command \"shwo\"; did you mean \"show\"?");
     scene.must_fail("render --dotz 5 -o a.svg", "there is no option --dotz; did you mean --dots?");
     scene.must_fail("tile search --poinst=5", "there is no option --poinst; did you mean --points?");
     scene.must_fail("render --frobnicate", "there is no option --frobnicate; dapple render --help lists");
     scene.must_fail("frobnicate", "there is no command \"frobnicate\"; --help lists");
     scene.must_fail("missing.png --nonsense", "--nonsense");
+}
+
+TEST_CASE("a command that the laboratory's program has is told with its name, unless it is a picture's") {
+    const Scene scene;
+    for (const char* command : {"analyse", "compare", "reproduce", "volume", "tile rules", "tile search",
+                                "tile rank", "tile check"}) {
+        const Outcome outcome = run_dapple(command + std::string(" cat.png -o x.html"));
+        CHECK(outcome.status == 2);
+        CHECK(outcome.err == std::string("dapple: the command ") + command +
+                                 " is in dapple-lab: dapple-lab " + command + " --help\n");
+    }
+    const std::string here = "cd " + scene.folder.path().string() + " && ";
+    const Outcome named =
+        run_in_shell(here + "cp cat.png volume && unset DISPLAY WAYLAND_DISPLAY; \"$DAPPLE\" volume");
+    CHECK(named.err.find("dapple-lab") == std::string::npos);
 }
 
 TEST_CASE("help ends its lines at the terminal's edge, between words and below where they began") {
@@ -228,7 +242,7 @@ TEST_CASE("a command line that is wrong ends with 2, what cannot be done with 1,
           Expected{"lights " + scene("none.hdr") + map, 1}, Expected{"tile check " + scene("none.tile"), 1},
           Expected{"analyse " + scene("none.csv") + " -o " + scene("new.html"), 1}}) {
         CAPTURE(e.arguments);
-        const Outcome outcome = run_dapple(e.arguments);
+        const Outcome outcome = run_either(e.arguments);
         CAPTURE(outcome.err);
         CHECK(outcome.status == e.status);
         CHECK(outcome.err.empty() == (e.status == 0));

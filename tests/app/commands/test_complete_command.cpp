@@ -50,7 +50,7 @@ TEST_CASE("options are offered where they belong, and values where they have nam
 TEST_CASE("bash completes with the script that is installed") {
     const auto completed = [](const std::string& words, int last) {
         return run_in_shell("export ASAN_OPTIONS=detect_leaks=0; exec bash -c '. " +
-                            source_folder().string() + "/install/dapple.bash; COMP_WORDS=(\"$DAPPLE\" " +
+                            source_folder().string() + "/packaging/dapple.bash; COMP_WORDS=(\"$DAPPLE\" " +
                             words + "); COMP_CWORD=" + std::to_string(last) +
                             "; _dapple \"$DAPPLE\"; echo \"${COMPREPLY[@]}\"'")
             .out;

@@ -11,12 +11,12 @@
 #include <string>
 #include <vector>
 
-#include "app/files/environment_file.h"
-#include "app/files/save_lights.h"
 #include "core/image/sky.h"
 #include "core/lights/direction.h"
 #include "core/lights/light_samples.h"
 #include "core/lights/sampler_comparison.h"
+#include "io/files/environment_file.h"
+#include "io/files/save_lights.h"
 #include "tests/file_text.h"
 #include "tests/picture_files.h"
 #include "tests/run_in_shell.h"

@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "app/files/picture.h"
+#include "io/files/picture.h"
 #include "tests/render_scene.h"
 
 namespace dapple {

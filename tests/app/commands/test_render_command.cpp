@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "app/files/picture.h"
+#include "io/files/picture.h"
 #include "tests/file_text.h"
 #include "tests/picture_files.h"
 #include "tests/render_scene.h"

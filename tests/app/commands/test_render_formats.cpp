@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "app/files/picture.h"
+#include "io/files/picture.h"
 #include "tests/file_text.h"
 #include "tests/machines.h"
 #include "tests/render_scene.h"

@@ -15,11 +15,11 @@
 #include <utility>
 #include <vector>
 
-#include "app/files/picture.h"
-#include "app/files/save_drawing.h"
-#include "app/files/tile_library.h"
-#include "app/settings/embedded_settings.h"
 #include "core/drawing/pipeline.h"
+#include "io/files/picture.h"
+#include "io/files/save_drawing.h"
+#include "io/files/tile_library.h"
+#include "io/settings/embedded_settings.h"
 #include "tests/file_text.h"
 #include "tests/render_scene.h"
 #include "tests/run_in_shell.h"

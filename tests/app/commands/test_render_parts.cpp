@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/files/picture.h"
+#include "io/files/picture.h"
 #include "tests/file_text.h"
 #include "tests/render_scene.h"
 #include "tests/run_in_shell.h"

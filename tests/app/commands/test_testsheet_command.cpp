@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "app/files/picture.h"
 #include "core/strokes/stroke_font.h"
+#include "io/files/picture.h"
 #include "tests/machines.h"
 #include "tests/render_scene.h"
 

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "app/files/sample.h"
-#include "app/files/tile_library.h"
 #include "core/drawing/pipeline.h"
 #include "core/drawing/settings.h"
 #include "core/output/raster.h"
+#include "io/files/sample.h"
+#include "io/files/tile_library.h"
 
 using namespace dapple;
 

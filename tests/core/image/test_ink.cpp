@@ -9,10 +9,10 @@
 #include <numbers>
 #include <vector>
 
-#include "app/files/tile_library.h"
 #include "core/drawing/pipeline.h"
 #include "core/drawing/settings.h"
 #include "core/output/raster.h"
+#include "io/files/tile_library.h"
 
 using namespace dapple;
 

@@ -11,7 +11,7 @@
 #include "core/image/sky.h"
 #include "core/lights/direction.h"
 #include "core/lights/sampler_comparison.h"
-#include "lab/reports/light_report.h"
+#include "io/reports/light_report.h"
 
 using namespace dapple;
 

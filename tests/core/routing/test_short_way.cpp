@@ -10,11 +10,11 @@
 #include <span>
 #include <vector>
 
-#include "bench/plain_two_opt.h"
 #include "core/placing/dot_order.h"
 #include "core/routing/greedy_way.h"
 #include "core/routing/near_dots.h"
 #include "core/routing/short_way.h"
+#include "tests/bench/plain_two_opt.h"
 
 namespace dapple {
 namespace {

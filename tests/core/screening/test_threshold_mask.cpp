@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "app/files/tile_library.h"
 #include "core/analysis/distances.h"
 #include "core/drawing/settings.h"
 #include "core/screening/tile_mask.h"
 #include "core/screening/void_and_cluster.h"
+#include "io/files/tile_library.h"
 
 namespace dapple {
 namespace {

@@ -1,4 +1,4 @@
-// What dapple compare compares, and how it judges who is first.
+// What dapple-lab compare compares, and how it judges who is first.
 
 #include <doctest/doctest.h>
 
@@ -45,7 +45,7 @@ GreyMarks marks_of(double value) {
 }  // namespace
 
 TEST_CASE("help of compare names every method that there is") {
-    const std::string help = run_dapple("compare --help").out;
+    const std::string help = run_lab("compare --help").out;
     const std::string list = help.substr(help.find("Methods: "));
     for (const Contender& method : all_contenders()) {
         CAPTURE(method.name);

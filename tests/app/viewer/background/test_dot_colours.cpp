@@ -7,11 +7,11 @@
 #include <set>
 #include <tuple>
 
-#include "app/files/tile_library.h"
 #include "app/viewer/background/dot_colours.h"
 #include "app/viewer/background/workbench.h"
 #include "core/image/colour.h"
 #include "core/placing/page_density.h"
+#include "io/files/tile_library.h"
 #include "tests/densities.h"
 #include "tests/dot_pieces.h"
 

@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "app/files/tile_library.h"
 #include "app/viewer/canvas/renderer.h"
 #include "core/drawing/settings.h"
 #include "core/image/ink.h"
@@ -17,6 +16,7 @@
 #include "core/pens/pen.h"
 #include "core/placing/stipple.h"
 #include "core/relaxing/relax.h"
+#include "io/files/tile_library.h"
 #include "tests/dots_by.h"
 #include "tests/mean_light.h"
 #include "tests/offscreen_gl.h"

@@ -12,9 +12,9 @@
 #include <string>
 #include <thread>
 
-#include "app/files/child_output.h"
 #include "app/viewer/desktop/desktop_dialog.h"
 #include "app/viewer/desktop/pasted_picture.h"
+#include "io/files/child_output.h"
 #include "tests/file_text.h"
 #include "tests/temporary_folder.h"
 

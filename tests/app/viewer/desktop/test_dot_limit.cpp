@@ -2,9 +2,9 @@
 
 #include <unistd.h>
 
-#include "app/available_memory.h"
 #include "app/viewer/desktop/dot_limit.h"
 #include "core/drawing/settings.h"
+#include "io/available_memory.h"
 
 using namespace dapple;
 

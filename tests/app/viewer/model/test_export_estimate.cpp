@@ -8,14 +8,14 @@
 #include <string>
 #include <vector>
 
-#include "app/files/file_size.h"
-#include "app/files/sample.h"
-#include "app/files/save_drawing.h"
-#include "app/files/tile_library.h"
 #include "app/viewer/model/export_estimate.h"
 #include "app/viewer/model/session.h"
 #include "core/drawing/pipeline.h"
 #include "core/output/stroke_figures.h"
+#include "io/files/file_size.h"
+#include "io/files/sample.h"
+#include "io/files/save_drawing.h"
+#include "io/files/tile_library.h"
 #include "tests/split_session.h"
 #include "tests/temporary_folder.h"
 #include "tests/wait_until.h"

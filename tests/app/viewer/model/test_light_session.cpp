@@ -9,9 +9,9 @@
 #include <set>
 #include <string>
 
-#include "app/files/save_lights.h"
-#include "app/files/tile_library.h"
 #include "app/viewer/model/light_session.h"
+#include "io/files/save_lights.h"
+#include "io/files/tile_library.h"
 #include "tests/file_text.h"
 #include "tests/temporary_folder.h"
 #include "tests/wait_until.h"

@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "app/files/sample.h"
-#include "app/files/tile_library.h"
 #include "app/viewer/model/change_words.h"
 #include "app/viewer/model/session.h"
 #include "core/tile/tile_file.h"
+#include "io/files/sample.h"
+#include "io/files/tile_library.h"
 #include "tests/file_text.h"
 #include "tests/split_session.h"
 #include "tests/temporary_folder.h"

@@ -25,7 +25,6 @@
 #include "app/viewer/panels/palette_row.h"
 #include "app/viewer/panels/pen_panel.h"
 #include "app/viewer/panels/preset_row.h"
-#include "app/viewer/panels/space_panel.h"
 #include "app/viewer/panels/tile_panel.h"
 #include "app/viewer/panels/tone_panel.h"
 #include "app/viewer/widgets/row_keys.h"
@@ -50,7 +49,6 @@ const std::set<std::string> kFolds{"Crop",
                                    "View",
                                    "Samples",
                                    "Compare",
-                                   "In space",
                                    "The tile"};
 
 /// All that the panels edit.
@@ -61,7 +59,6 @@ struct Everything {
     CropTool cropping = {};
     bool dialog = true, desktop = false;
     Appearance appearance = {};
-    SpaceSettings space = {};
     TilePanelState tile = {};
     ShownPens shown_pens = {};
     Palette drawn_pens = palette_of({.set = PenSet::cmyk});
@@ -136,7 +133,6 @@ std::vector<PanelToTest> all_panels(Everything& one) {
              draw_film_buttons(kFilms, nothing);
              draw_method_rows(all, {kTiles});
              draw_compare_panel(all, {kTiles});
-             draw_space_panel(one.space);
              draw_tile_panel(view, one.tile);
          }},
         {"lights", [&] { draw_lights_panel(one.lights, LightsInfo{}, {kTiles}); }},
@@ -156,7 +152,7 @@ std::vector<PanelToTest> all_panels(Everything& one) {
 void make_high(HeadlessUi& ui, float width = 400) {
     ImGui::GetIO().DisplaySize = {width, 4000};
     for (int i = 0; i < 3; ++i) ui.frame();
-    for (const char* folded : {"More tone settings", "More page settings", "More pen settings", "In space"})
+    for (const char* folded : {"More tone settings", "More page settings", "More pen settings"})
         if (ui.has(folded)) ui.click(folded);
 }
 

@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "app/files/tile_library.h"
 #include "app/viewer/background/dot_blocks.h"
 #include "app/viewer/background/tile_view.h"
 #include "app/viewer/background/workbench.h"
@@ -19,6 +18,7 @@
 #include "app/viewer/model/viewer_settings.h"
 #include "app/viewer/view/dot_origin.h"
 #include "core/placing/page_density.h"
+#include "io/files/tile_library.h"
 #include "tests/dot_pieces.h"
 #include "tests/headless_ui.h"
 

@@ -1,0 +1,99 @@
+#include "io/decoding/stored_pixels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+
+#include "io/decoding/decoded_image.h"
+
+namespace dapple {
+namespace {
+
+// False for what is not a number, too.
+bool is_light(float value) {
+    return std::abs(value) <= kMostLightOfAPixel;
+}
+
+[[noreturn]] void fail_at(std::size_t x, int y, std::span<const float> pixel) {
+    const auto bad = std::ranges::find_if(pixel, [](float v) { return !std::isfinite(v); });
+    const std::string place = "pixel " + std::to_string(x) + ", " + std::to_string(y) + " is ";
+    if (bad == pixel.end())
+        throw DecodeError(place + "brighter than any light can be; scale the picture's values down first");
+    throw DecodeError(place + (std::isnan(*bad) ? "not a number (NaN)" : "infinite") +
+                      "; repair the picture first, for example with oiiotool --fixnan box3");
+}
+
+}  // namespace
+
+StoredPixels::StoredPixels(const PixelLayout& layout)
+    : layout_(layout),
+      behind_(layout.over_paper ? 1.0f : 0.0f),
+      profile_(layout.profile, layout.channels.grey() ? 1 : 3, layout.encoding) {
+    for (std::size_t i = 0; i < eight_bit_.size(); ++i)
+        eight_bit_[i] = layout.encoding.light(static_cast<float>(i) / 255.0f);
+}
+
+void StoredPixels::decode(std::span<const float> stored, int y, std::span<glm::vec3> light) {
+    if (profile_) return decode_by_profile(stored, light);
+    const auto count = static_cast<std::size_t>(layout_.count);
+    for (std::size_t i = 0; i < light.size(); ++i) {
+        light[i] = over_what_is_behind(stored.data() + i * count);
+        if (!is_light(light[i].x) || !is_light(light[i].y) || !is_light(light[i].z))
+            fail_at(i, y, stored.subspan(i * count, count));
+    }
+}
+
+// Integers only have a profile here: all are finite.
+void StoredPixels::decode_by_profile(std::span<const float> stored, std::span<glm::vec3> light) {
+    const auto count = static_cast<std::size_t>(layout_.count);
+    const Channels& channels = layout_.channels;
+    const auto alpha_of = [&](std::size_t i) {
+        return channels.alpha ? stored[i * count + static_cast<std::size_t>(*channels.alpha)] : 1;
+    };
+    colours_.clear();
+    for (std::size_t i = 0; i < light.size(); ++i) {
+        const float factor = layout_.premultiplied && alpha_of(i) > 0 ? 1 / alpha_of(i) : 1;
+        for (int k = 0; k < (channels.grey() ? 1 : 3); ++k) {
+            const auto channel = static_cast<std::size_t>(channels.colour[static_cast<std::size_t>(k)]);
+            colours_.push_back(stored[i * count + channel] * factor);
+        }
+    }
+    profile_.to_light(colours_, light);
+    for (std::size_t i = 0; i < light.size(); ++i) {
+        if (channels.grey()) light[i] = glm::vec3(light[i].y);  // not only nearly so
+        light[i] = light[i] * alpha_of(i) + behind_ * (1 - alpha_of(i));
+    }
+}
+
+glm::vec3 StoredPixels::over_what_is_behind(const float* pixel) const {
+    if (!layout_.channels.alpha) return light_of(pixel, 1);
+    const float alpha = std::clamp(pixel[*layout_.channels.alpha], 0.0f, 1.0f);
+    const float shown = behind_ * (1 - alpha);
+    if (!layout_.premultiplied) return light_of(pixel, 1) * alpha + shown;
+    // Linear light is multiplied as light, and may glow where alpha is 0; encoded values as they are.
+    if (layout_.encoding.kind == Encoding::Kind::linear) return light_of(pixel, 1) + shown;
+    return alpha > 0 ? light_of(pixel, 1 / alpha) * alpha + shown : glm::vec3(shown);
+}
+
+glm::vec3 StoredPixels::light_of(const float* pixel, float factor) const {
+    const auto light = [&](int channel) {
+        const float stored = pixel[channel] * factor;
+        if (layout_.eight_bit && factor == 1)
+            return eight_bit_[static_cast<std::size_t>(stored * 255.0f + 0.5f) & 255];
+        return layout_.encoding.light(stored);
+    };
+    const std::array<int, 3>& colour = layout_.channels.colour;
+    glm::vec3 seen(light(colour[0]));
+    if (!layout_.channels.grey()) seen = {seen.x, light(colour[1]), light(colour[2])};
+    if (layout_.to_srgb && !layout_.channels.grey()) seen = glm::max(*layout_.to_srgb * seen, 0.0f);
+    return layout_.encoding.kind == Encoding::Kind::hlg ? shown_hlg(seen) : seen;
+}
+
+std::string describe(int width, int height, const std::string& kind, const Channels& channels,
+                     const std::string& format) {
+    return std::to_string(width) + " x " + std::to_string(height) + " pixels, " + kind +
+           (channels.grey() ? " grey" : " colour") + (channels.alpha ? " with transparency" : "") + " " +
+           format;
+}
+
+}  // namespace dapple

@@ -1,0 +1,58 @@
+#pragma once
+// From the numbers that a file stores to linear light.
+
+#include <array>
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "io/decoding/colour_profile.h"
+
+namespace dapple {
+
+/// Which channels of a pixel are what.
+struct Channels {
+    std::array<int, 3> colour{};  // three times the same: grey
+    std::optional<int> alpha;
+    bool grey() const { return colour[0] == colour[1] && colour[1] == colour[2]; }
+};
+
+struct PixelLayout {
+    Channels channels;
+    int count = 1;  // channels of a pixel
+    Encoding encoding;
+    std::string profile{};               // ICC's bytes, which count for more; empty: none
+    std::optional<glm::mat3> to_srgb{};  // of light, from other primaries or an exposure
+    bool premultiplied = false;          // colours by alpha
+    bool over_paper = true;              // white behind what is transparent; else black
+    bool eight_bit = false;
+};
+
+class StoredPixels {
+ public:
+    explicit StoredPixels(const PixelLayout& layout);
+
+    /// A row, integers scaled to 0..1, as linear light over what is behind. Throws DecodeError if a pixel is
+    /// not a number, infinite, or lighter than any is.
+    void decode(std::span<const float> stored, int y, std::span<glm::vec3> light);
+
+ private:
+    void decode_by_profile(std::span<const float> stored, std::span<glm::vec3> light);
+    glm::vec3 over_what_is_behind(const float* pixel) const;
+    glm::vec3 light_of(const float* pixel, float factor) const;
+
+    PixelLayout layout_;
+    float behind_;
+    std::array<float, 256> eight_bit_{};
+    ColourProfile profile_;
+    std::vector<float> colours_;  // of a row, for the profile
+};
+
+/// "512 x 512 pixels, 8-bit grey png". `kind` is "8-bit" or "float".
+std::string describe(int width, int height, const std::string& kind, const Channels& channels,
+                     const std::string& format);
+
+}  // namespace dapple

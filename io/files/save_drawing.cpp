@@ -1,0 +1,161 @@
+#include "io/files/save_drawing.h"
+
+#include <memory>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+
+#include "core/drawing/write_drawing.h"
+#include "core/output/raster.h"
+#include "core/output/raster_strokes.h"
+#include "core/text/shown_text.h"
+#include "io/files/atomic_file.h"
+#include "io/files/pdf_file.h"
+#include "io/files/png_file.h"
+#include "io/files/separations.h"
+#include "io/files/tiff_file.h"
+
+namespace dapple {
+namespace {
+
+bool is_grey(glm::vec3 colour) {
+    return colour.r == colour.g && colour.g == colour.b;
+}
+
+// Thrown from within a writer to leave it.
+struct Stopped {};
+
+// By write_image(header, draw), where draw(sink) hands over bands of what colours(coverage) makes.
+void write_pixels(const DrawingSettings& settings, const DrawingToSave& drawing,
+                  const std::optional<StrokeStream>& strokes, const WritingProgress& progress,
+                  const auto& write_image, const auto& colours) {
+    const RasterSize size = raster_size(drawing.page, drawing.saving.dpi);
+    const RasterRequest request{.dot_radius_mm = drawing.dot_radius_mm,
+                                .dpi = drawing.saving.dpi,
+                                .threads = settings.placing.threads};
+    const bool grey = drawing.pens.empty() && is_grey(settings.ink) && is_grey(settings.paper);
+    const PngHeader header{size.width,
+                           size.height,
+                           drawing.saving.dpi,
+                           grey ? PngColours::grey : PngColours::rgb,
+                           {{kPngSettingsKeyword, drawing.settings}}};
+    write_image(header, [&](const auto& pixels) {
+        if (const std::span<const Pen> pens = drawing.pens; !pens.empty()) {
+            const PenCoverageSink sink = [&](int first_row, std::span<const Grid<float>> coverage) {
+                if (progress) progress(static_cast<double>(first_row) / size.height);
+                pixels(colours(coverage, pens, settings.paper));
+            };
+            if (strokes) return rasterise_pens(*strokes, drawing.page, request, pens.size(), sink);
+            return rasterise_pens(drawing.dots, drawing.page, request, pens.size(), sink);
+        }
+        const CoverageSink sink = [&](int first_row, const Grid<float>& coverage) {
+            if (progress) progress(static_cast<double>(first_row) / size.height);
+            pixels(colours(coverage, settings.ink, settings.paper));
+        };
+        if (strokes)
+            rasterise(*strokes, drawing.page, request, sink);
+        else
+            rasterise(drawing.dots, drawing.page, request, sink);
+    });
+}
+
+}  // namespace
+
+void write_drawing(std::ostream& out, DrawingFormat format, const DrawingSettings& settings,
+                   const DrawingToSave& drawing, const std::string& title, const WritingProgress& progress) {
+    if (is_text(format)) return write_text_drawing(out, format, settings, drawing, progress);
+    const std::optional<StrokeStream> strokes = strokes_of(settings, drawing, format);
+    if (format == DrawingFormat::pdf) {
+        const std::vector<CutMark> marks = registration_of(settings, drawing);
+        std::optional<glm::vec3> background;
+        if (settings.background) background = settings.paper;
+        const PdfStyle style{.dot_radius_mm = drawing.dot_radius_mm,
+                             .ink = settings.ink,
+                             .pens = drawing.pens,
+                             .registration = marks,
+                             .background = background,
+                             .title = title,
+                             .cut_marks = drawing.cut_marks};
+        if (strokes) return write_pdf(out, *strokes, drawing.page, style, progress);
+        return write_pdf(out, drawing.dots, drawing.page, style, progress);
+    }
+    const auto pixels = [&](const auto& write_image, const auto& colours) {
+        write_pixels(settings, drawing, strokes, progress, write_image, colours);
+    };
+    const bool png = format == DrawingFormat::png;
+    if (drawing.saving.bits == 16)
+        pixels(
+            [&](const auto&... image) { png ? write_png_16(out, image...) : write_tiff_16(out, image...); },
+            []<class... Layers>(const Layers&... layers) { return ink_on_paper<std::uint16_t>(layers...); });
+    else
+        pixels(
+            [&](const auto&... image) { png ? write_png(out, image...) : write_tiff(out, image...); },
+            []<class... Layers>(const Layers&... layers) { return ink_on_paper<std::uint8_t>(layers...); });
+}
+
+DrawingFormat format_of(const std::filesystem::path& path, const DrawingToSave& drawing) {
+    return drawing.format ? *drawing.format : drawing_format(path);
+}
+
+bool save_drawing(const std::filesystem::path& path, const DrawingSettings& settings,
+                  const DrawingToSave& drawing, const SavingWatch& watch) {
+    const DotOrder order = order_of(drawing, format_of(path, drawing), settings.style);
+    if (order == DotOrder::recursion) return save_ordered(path, settings, drawing, watch);
+    // Half of the progress is the pen's way.
+    const double routing = order == DotOrder::shortest ? 0.5 : 0;
+    const auto tell = [&](double share) {
+        if (watch.progress) watch.progress(share);
+    };
+    auto sorted = std::make_shared<const DotPieces>(sorted_by_pen(
+        drawing.dots, order, {.stop = watch.stop, .progress = [&](double share) { tell(routing * share); }}));
+    if (watch.stop.stop_requested()) return false;
+    DrawingToSave ordered = drawing;
+    ordered.dots = stream_of(std::move(sorted), drawing.dots.scale);
+    return save_ordered(path, settings, ordered,
+                        {watch.stop, [&](double share) { tell(routing + (1 - routing) * share); }});
+}
+
+bool save_ordered(const std::filesystem::path& path, const DrawingSettings& settings,
+                  const DrawingToSave& drawing, const SavingWatch& watch) {
+    const bool to_standard_output = path == kStandardStream;
+    const DrawingFormat format = format_of(path, drawing);
+    const std::string title = to_standard_output ? "Drawing" : printable(path.stem().string());
+    const WritingProgress progress = [&](double share) {
+        if (watch.stop.stop_requested()) throw Stopped();
+        if (watch.progress) watch.progress(share);
+    };
+    const auto write = [&](std::ostream& out) {
+        write_drawing(out, format, settings, drawing, title, progress);
+        progress(1);
+    };
+    const auto for_each_pen = [&](std::size_t before, const auto& write_pen) {
+        for (std::size_t pen = 0; pen < drawing.pens.size(); ++pen)
+            save_next(pen + before, [&] {
+                save_atomically(file_of_pen(path, pen, drawing.pens[pen]),
+                                [&](std::ostream& out) { write_pen(out, pen); });
+            });
+    };
+    try {
+        if (to_standard_output) {
+            write_to_standard_output(write);
+        } else if (has_pen_files(format, drawing.saving, drawing.pens)) {
+            for_each_pen(0, [&](std::ostream& out, std::size_t pen) {
+                const auto done = static_cast<double>(pen), pens = static_cast<double>(drawing.pens.size());
+                write_drawing(out, format, settings, drawing_of_pen(drawing, pen), title,
+                              [&](double share) { progress((done + share) / pens); });
+            });
+            progress(1);
+        } else {
+            save_atomically(path, write);
+            if (has_separations(format, drawing.saving, drawing.pens))
+                for_each_pen(1, [&](std::ostream& out, std::size_t pen) {
+                    write_separation(out, format, settings, drawing, pen, progress);
+                });
+        }
+    } catch (const Stopped&) {
+        return false;
+    }
+    return true;
+}
+
+}  // namespace dapple

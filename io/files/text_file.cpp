@@ -1,0 +1,67 @@
+#include "io/files/text_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include <array>
+#include <cerrno>
+#include <stdexcept>
+#include <system_error>
+
+#include "core/text/shown_text.h"
+#include "io/descriptor.h"
+
+namespace dapple {
+namespace {
+
+std::string in_large_units(std::uintmax_t bytes) {
+    if (bytes >= 1'000'000'000) return fmt::format("{} GB", bytes / 1'000'000'000);
+    return bytes >= 1'000'000 ? fmt::format("{} MB", bytes / 1'000'000) : fmt::format("{} kB", bytes / 1000);
+}
+
+}  // namespace
+
+std::string text_of_file(const std::filesystem::path& file, const TextKind& kind) {
+    const auto fail = [&](const std::string& what) {
+        throw std::runtime_error(fmt::format("{}: {}", printable(file.native()), what));
+    };
+    const auto fail_to_read = [&] {
+        fail(fmt::format("cannot be read: {}", std::generic_category().message(errno)));
+    };
+    const auto fail_by_size = [&] {
+        fail(fmt::format("larger than {}, as no {} is", in_large_units(kind.most_bytes), kind.what));
+    };
+    // Told by what was opened, as another may have its name a moment later.
+    const Descriptor in(::open(file.c_str(), O_RDONLY | O_CLOEXEC | (kind.may_wait ? 0 : O_NONBLOCK)));
+    if (!in && (errno == ENOENT || errno == ENOTDIR)) fail("no such file");
+    if (!in) fail_to_read();
+    struct stat status {};
+    if (::fstat(in.get(), &status) != 0) fail_to_read();
+    if (S_ISDIR(status.st_mode)) fail("is a folder, not a file");
+    if (!S_ISREG(status.st_mode) && !kind.may_wait)
+        fail(fmt::format("is no regular file, as a {} has to be", kind.what));
+    if (!kind.beginning && S_ISREG(status.st_mode) &&
+        static_cast<std::uintmax_t>(status.st_size) > kind.most_bytes)
+        fail_by_size();
+
+    std::string text;
+    std::array<char, 1 << 16> part;
+    while (true) {
+        const ssize_t size = ::read(in.get(), part.data(), part.size());
+        if (size == 0) break;
+        if (size < 0 && errno == EINTR) continue;
+        if (size < 0) fail_to_read();
+        text.append(part.data(), static_cast<std::size_t>(size));
+        if (text.size() <= kind.most_bytes) continue;
+        if (!kind.beginning) fail_by_size();
+        text.resize(kind.most_bytes);
+        break;
+    }
+    // Sentences about it would end there.
+    if (!kind.beginning && !kind.binary && text.find('\0') != text.npos)
+        fail("is not text in UTF-8, as it has bytes of value 0");
+    return text;
+}
+
+}  // namespace dapple

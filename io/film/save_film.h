@@ -1,0 +1,25 @@
+#pragma once
+// A film into a file.
+
+#include <filesystem>
+#include <vector>
+
+#include "io/files/save_drawing.h"
+#include "io/film/film_frames.h"
+
+namespace dapple {
+
+/// "Animation.webp" is one file, which web browsers play, over and over; "frames/", which ends in a slash or
+/// is there, a folder of numbered PNG files for a program that makes films of them: frame-0001.png, ...
+/// Throws std::runtime_error naming the path if it is neither, or cannot be written.
+void check_film_path(const std::filesystem::path& path);
+
+/// All that save_film() writes there.
+std::vector<std::filesystem::path> files_of(const std::filesystem::path& path, const FilmChoice& choice);
+
+/// Returns false if stopped; then a film that was at that place is still there, while of a folder's frames
+/// those that were written stay. Throws what check_film_path(), save_atomically() and the frames throw.
+bool save_film(const std::filesystem::path& path, const FilmFrame& frame, const FilmChoice& choice,
+               const SavingWatch& watch = {});
+
+}  // namespace dapple

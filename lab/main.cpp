@@ -1,0 +1,33 @@
+// dapple-lab: studies what dapple draws with - tiles, points, methods beside it, and dots in space.
+
+#include <CLI/CLI.hpp>
+
+#include "io/command_line/complete.h"
+#include "io/command_line/manual.h"
+#include "io/command_line/program.h"
+#include "lab/commands/analyse.h"
+#include "lab/commands/compare.h"
+#include "lab/commands/reproduce.h"
+#include "lab/commands/tile_command.h"
+#include "lab/commands/volume_command.h"
+
+int main(int argc, char** argv) {
+    CLI::App program{"The laboratory of dapple: searches, measures and compares.", "dapple-lab"};
+    program.set_version_flag("--version", "dapple-lab " DAPPLE_VERSION, "Show the version");
+    program.footer(
+        "dapple-lab COMMAND --help says more.\n"
+        "Exit status: 0 if all was done, 1 if something could not be, 2 if the command line is wrong.\n\n"
+        "Examples:\n"
+        "  dapple-lab analyse cat.svg -o cat.html            how even its dots are, and whether they repeat\n"
+        "  dapple-lab compare cat.jpg --page compare.html    beside the methods that came before\n"
+        "  dapple-lab tile search --points 20                the best tiles of 20 points");
+    program.require_subcommand(1);
+    const dapple::ReproduceCommand reproduce(program);
+    const dapple::AnalyseCommand analyse(program);
+    const dapple::CompareCommand compare(program);
+    const dapple::LabTileCommand tile(program);
+    const dapple::VolumeCommand volume(program);
+    const dapple::CompleteCommand complete(program);
+    dapple::add_manual_command(program);
+    return dapple::run_program(program, argc, argv, 0);
+}
