@@ -131,7 +131,7 @@ void search_kinds(const TileSearchOptions& options, std::ostream& out, const Isl
     }
     if (side_by_side.island > 0) return;
     const std::string program =
-        side_by_side.best ? fmt::format("mpirun -n {} dapple-mpi", side_by_side.islands) : "dapple";
+        side_by_side.best ? fmt::format("mpirun -n {} dapple-mpi", side_by_side.islands) : "dapple-lab";
     finish(
         options,
         fmt::format("{} tile search --kinds {} --points {} --seed {}", program, kinds, points, options.seed),

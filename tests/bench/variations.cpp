@@ -14,8 +14,8 @@
 
 #include "core/analysis/distances.h"
 #include "core/analysis/spectrum.h"
-#include "lab/search/cyclic_words.h"
 #include "lab/volume/cyclic_tile.h"
+#include "tests/bench/cyclic_words.h"
 
 namespace {
 

@@ -17,7 +17,7 @@
 #include "lab/volume/settle_volume.h"
 #include "lab/volume/space_cells.h"
 #include "lab/volume/volume.h"
-#include "lab/volume/volume_marks.h"
+#include "tests/bench/volume_marks.h"
 
 namespace {
 

@@ -242,7 +242,7 @@ TEST_CASE("a sticker is drawn, masks and is screened as its PNG is when it is a 
                   {.width = kWidth, .height = kHeight, .channels = 4, .values = sticker(false, false)});
     run("convert " + in + "a.png " + in + "b.gif");
     const auto drawn = [&](const std::string& arguments, const std::string& output) {
-        const Outcome outcome = run_dapple(arguments);
+        const Outcome outcome = run_either(arguments);
         REQUIRE_MESSAGE(outcome.status == 0, outcome.err);
         return text_of(folder / output);
     };

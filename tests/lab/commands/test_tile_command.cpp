@@ -103,7 +103,7 @@ TEST_CASE("a tile that is found is a file that renders, and the same seed finds 
     const Outcome outcome = run_lab(search + first + " --threads 2");
     REQUIRE(outcome.status == 0);
     // The command that it tells to make the same again, with fewer threads.
-    const std::string told = "the same again: dapple ";
+    const std::string told = "the same again: dapple-lab ";
     const std::size_t at = outcome.out.find(told);
     REQUIRE(at != std::string::npos);
     std::string again = outcome.out.substr(at + told.size());
@@ -170,7 +170,7 @@ TEST_CASE("several kinds are searched for, checked, shown and rendered, and foun
     const std::string search = "tile search --kinds 3 --points 64 --seed 2 --moves 50000";
     const Outcome outcome = run_lab(search + " -o " + file);
     REQUIRE(outcome.status == 0);
-    CHECK(outcome.out.find("the same again: dapple " + search + "\n") != std::string::npos);
+    CHECK(outcome.out.find("the same again: dapple-lab " + search + "\n") != std::string::npos);
     REQUIRE(run_lab(search + " -o " + again).status == 0);
     CHECK(text_of(file) == text_of(again));
     const nlohmann::json json = nlohmann::json::parse(run_lab("tile check --json " + file).out);
@@ -352,7 +352,7 @@ TEST_CASE("an unfinished search is never replaced by another one") {
             CAPTURE(refused.err);
             CHECK(refused.status != 0);
             CHECK(refused.sentences() == 1);
-            CHECK(refused.err.starts_with("dapple: dapple-search-40.txt: "));
+            CHECK(refused.err.starts_with("dapple-lab: dapple-search-40.txt: "));
             CHECK(refused.out == "");
             CHECK(text_of(state) == kept);
         }

@@ -16,7 +16,7 @@
 #include "lab/volume/settle_volume.h"
 #include "lab/volume/turning_view.h"
 #include "lab/volume/volume.h"
-#include "lab/volume/volume_marks.h"
+#include "tests/bench/volume_marks.h"
 
 namespace dapple {
 namespace {

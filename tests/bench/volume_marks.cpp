@@ -1,4 +1,4 @@
-#include "lab/volume/volume_marks.h"
+#include "tests/bench/volume_marks.h"
 
 #include <tbb/parallel_for.h>
 

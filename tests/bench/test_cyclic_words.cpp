@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "core/tile/tile.h"
-#include "lab/search/cyclic_words.h"
 #include "lab/volume/cyclic_tile.h"
+#include "tests/bench/cyclic_words.h"
 
 namespace dapple {
 namespace {
