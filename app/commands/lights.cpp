@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include "core/image/sky.h"
+#include "core/image/environment.h"
 #include "core/text/shown_text.h"
 #include "io/available_memory.h"
 #include "io/command_line/files_in_use.h"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/maths/portable_math.h"
-#include "core/screening/tile_mask.h"
+#include "core/screening/threshold_mask.h"
 #include "core/text/numbers.h"
 #include "io/command_line/files_in_use.h"
 #include "io/command_line/options.h"

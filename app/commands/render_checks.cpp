@@ -8,7 +8,7 @@
 
 #include "app/commands/batch.h"
 #include "app/commands/settings_options.h"
-#include "core/drawing/drawing_facts.h"
+#include "core/drawing/drawing_figures.h"
 #include "core/drawing/gcode_choice.h"
 #include "io/command_line/options.h"
 #include "io/files/save_drawing.h"

@@ -9,7 +9,7 @@
 
 #include "app/commands/gcode_options.h"
 #include "core/drawing/gcode_choice.h"
-#include "core/output/stroke_figures.h"
+#include "core/output/pen_figures.h"
 #include "core/output/test_sheet.h"
 #include "core/text/number_words.h"
 #include "core/text/shown_text.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/analysis/report.h"
-#include "core/analysis/spectrum_picture.h"
+#include "core/analysis/spectrum.h"
 
 namespace dapple {
 namespace {

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "core/image/linear_colour.h"
+#include "core/image/colour.h"
 
 namespace dapple {
 namespace {

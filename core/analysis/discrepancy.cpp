@@ -4,13 +4,115 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
-#include "core/analysis/raised_counts.h"
-
 namespace dapple {
+
 namespace {
+
+// Counts over ascending places that are raised from some place to the end, and their greatest deviation from
+// a line: the inner part of the sweep for the star discrepancy.
+
+/// Counts c_k at places y_k, all 0 at first, and the greatest of sign * (c_k - slope y_k) over all k.
+///
+/// In blocks of about sqrt(n) / 2: raising the counts from k on changes one block and a number for each later
+/// one. The greatest of a block is on its convex hull, further along for a greater slope. Slopes never
+/// decrease, so the search of each block goes on where it stopped; hulls are made anew only when they are
+/// asked.
+class RaisedCounts {
+ public:
+    /// `places` ascend; sign is +1 (how far counts are above the line) or -1 (below).
+    RaisedCounts(std::vector<double> places, int sign);
+
+    /// Adds 1 to c_k, c_{k+1}, ...; nothing if k is beyond the last place.
+    void raise_from(std::size_t k);
+
+    /// The greatest deviation. `slope` is not smaller than in earlier calls.
+    double greatest(double slope);
+
+ private:
+    struct Block {
+        std::vector<std::uint32_t> hull;  // in the order that growing slopes visit
+        std::size_t at = 0;
+        bool changed = true;
+    };
+
+    void rebuild(std::size_t block);
+    void stand_at(std::size_t block, std::size_t at);
+
+    std::vector<double> y_;
+    double sign_;
+    std::vector<double> count_;  // without what is in raised_
+    std::size_t block_size_;
+    std::vector<Block> blocks_;
+    // For each block, side by side for speed:
+    std::vector<double> raised_;  // added to all its counts
+    std::vector<double> best_y_;  // of the hull's corner where the search stands
+    std::vector<double> best_count_;
+    std::vector<double> next_slope_;  // from which on the hull's next corner is better
+};
+
+RaisedCounts::RaisedCounts(std::vector<double> places, int sign)
+    : y_(std::move(places)),
+      sign_(sign),
+      count_(y_.size()),
+      block_size_(std::max<std::size_t>(8, std::size_t(std::sqrt(double(y_.size())) / 2))),
+      blocks_((y_.size() + block_size_ - 1) / block_size_),
+      raised_(blocks_.size()),
+      best_y_(blocks_.size()),
+      best_count_(blocks_.size()),
+      next_slope_(blocks_.size()) {}
+
+void RaisedCounts::raise_from(std::size_t k) {
+    if (k >= y_.size()) return;
+    const std::size_t block = k / block_size_;
+    const std::size_t end = std::min(y_.size(), (block + 1) * block_size_);
+    for (std::size_t i = k; i < end; ++i) count_[i] += 1;
+    blocks_[block].changed = true;
+    for (std::size_t b = block + 1; b < blocks_.size(); ++b) raised_[b] += 1;
+}
+
+double RaisedCounts::greatest(double slope) {
+    double best = -std::numeric_limits<double>::infinity();
+    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+        if (blocks_[b].changed) rebuild(b);
+        while (slope > next_slope_[b]) stand_at(b, blocks_[b].at + 1);
+        best = std::max(best, sign_ * (best_count_[b] + raised_[b] - slope * best_y_[b]));
+    }
+    return best;
+}
+
+void RaisedCounts::stand_at(std::size_t block, std::size_t at) {
+    const std::vector<std::uint32_t>& hull = blocks_[block].hull;
+    blocks_[block].at = at;
+    best_y_[block] = y_[hull[at]];
+    best_count_[block] = count_[hull[at]];
+    next_slope_[block] = at + 1 == hull.size()
+                             ? std::numeric_limits<double>::infinity()
+                             : (count_[hull[at + 1]] - count_[hull[at]]) / (y_[hull[at + 1]] - y_[hull[at]]);
+}
+
+// With sign +1 the upper hull, walked towards smaller y; with sign -1 the lower hull, towards greater y. Both
+// turn left all the way.
+void RaisedCounts::rebuild(std::size_t block) {
+    const std::size_t first = block * block_size_;
+    const std::size_t size = std::min(y_.size(), first + block_size_) - first;
+    const auto turns_left = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+        return (y_[b] - y_[a]) * (count_[c] - count_[b]) > (y_[c] - y_[b]) * (count_[b] - count_[a]);
+    };
+    std::vector<std::uint32_t>& hull = blocks_[block].hull;
+    hull.clear();
+    for (std::size_t s = 0; s < size; ++s) {
+        const std::uint32_t k = std::uint32_t(sign_ > 0 ? first + size - 1 - s : first + s);
+        while (hull.size() > 1 && !turns_left(hull[hull.size() - 2], hull.back(), k)) hull.pop_back();
+        hull.push_back(k);
+    }
+    blocks_[block].changed = false;
+    stand_at(block, 0);
+}
 
 // The points in the unit square, by ascending x.
 std::vector<glm::dvec2> unit_points_by_x(std::span<const glm::dvec2> points, const Domain& domain) {

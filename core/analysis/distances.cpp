@@ -6,10 +6,73 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "core/analysis/point_grid.h"
 
 namespace dapple {
+
+LocalDensity local_density(std::span<const glm::dvec2> points, const Domain& domain, double points_per_cell) {
+    LocalDensity result;
+    if (points.empty()) return result;
+    const double n = double(points.size());
+    const double side = std::sqrt(domain.area() * points_per_cell / n);
+    result.columns = int(std::clamp(std::round(domain.width / side), 1.0, 1024.0));
+    result.rows = int(std::clamp(std::round(domain.height / side), 1.0, 1024.0));
+    result.relative.resize(std::size_t(result.columns) * std::size_t(result.rows));
+
+    const double cells = double(result.relative.size());
+    for (const glm::dvec2 p : points) {
+        const int column = std::min(int(p.x / domain.width * result.columns), result.columns - 1);
+        const int row = std::min(int(p.y / domain.height * result.rows), result.rows - 1);
+        result.relative[std::size_t(row) * std::size_t(result.columns) + std::size_t(column)] += 1;
+    }
+    double squares = 0;
+    for (double& density : result.relative) {
+        density *= cells / n;
+        squares += (density - 1) * (density - 1);
+    }
+    const auto [lowest, highest] = std::minmax_element(result.relative.begin(), result.relative.end());
+    result.lowest = *lowest;
+    result.highest = *highest;
+    result.deviation = std::sqrt(squares / cells);
+    return result;
+}
+
+namespace {
+
+constexpr double kLowestDensity = 0.01;
+
+}  // namespace
+
+double dots_at_full_density(const Density& density, std::size_t count) {
+    return double(count) / density.mean();
+}
+
+LocalDistances local_distances(std::span<const glm::dvec2> dots, const Density& density, double full) {
+    const double longer = density.longer_side();
+    const Domain page{density.width() / longer, density.height() / longer, Topology::window};
+    const double spacing = std::sqrt(page.area() / double(dots.size()));
+    const std::vector<double> nearest = nearest_distances(dots, page);
+    std::vector<double> relative;
+    for (std::size_t i = 0; i < dots.size(); ++i) {
+        const glm::dvec2 p = dots[i];
+        const double to_edge = std::min({p.x, p.y, page.width - p.x, page.height - p.y});
+        const double at_dot = density.at(p);
+        if (to_edge < spacing || at_dot < kLowestDensity) continue;
+        relative.push_back(nearest[i] / std::sqrt(2 / (std::sqrt(3.0) * full * at_dot)));
+    }
+    LocalDistances result{.count = relative.size()};
+    if (relative.empty()) return result;
+    std::sort(relative.begin(), relative.end());
+    const double place = 0.01 * double(relative.size() - 1);
+    const auto below = std::size_t(place);
+    const std::size_t above = std::min(below + 1, relative.size() - 1);
+    result.p1 = std::lerp(relative[below], relative[above], place - double(below));
+    for (const double distance : relative) result.mean += distance / double(relative.size());
+    return result;
+}
+
 namespace {
 
 double nearest_distance(const PointGrid& grid, const PointGrid::Entry& point) {

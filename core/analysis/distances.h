@@ -13,8 +13,47 @@
 #include <vector>
 
 #include "core/analysis/domain.h"
+#include "core/image/density.h"
 
 namespace dapple {
+
+// How evenly a point set fills its domain on a coarse scale.
+
+/// Points counted in a grid of equal, nearly square cells; densities are over the mean, n / area.
+struct LocalDensity {
+    int columns = 0, rows = 0;
+    std::vector<double> relative;  // rows of `columns` values, the row of smallest y first
+    double lowest = 0;
+    double highest = 0;
+    /// Standard deviation of the cells. White noise: 1 over the root of the mean count of a cell.
+    double deviation = 0;
+};
+
+/// Cells of about `points_per_cell` points on average (> 0); one cell at least, 1024 x 1024 at most. A point
+/// on a line between cells belongs to the one of greater x or y. No cells for no points. Points as
+/// points_inside() gives them.
+LocalDensity local_density(std::span<const glm::dvec2> points, const Domain& domain,
+                           double points_per_cell = 64);
+
+// How far apart dots keep in a picture, where they lie near each other in the dark and far apart in the
+// light.
+
+/// Distances to the nearest dot, each over the largest that all dots could have at the density where the dot
+/// lies, sqrt(2 / (sqrt(3) n)) for n dots on an area of 1: a hexagonal lattice has 1.
+struct LocalDistances {
+    double p1 = 0;  // 1st percentile: sorted value at place (count - 1) / 100, interpolated
+    double mean = 0;
+    std::size_t count = 0;  // of dots judged
+};
+
+/// Dots that density 1 would put on an area of 1, when there are so many in all.
+double dots_at_full_density(const Density& density, std::size_t count);
+
+/// `full` is dots_at_full_density() or, for placed dots, kDotsPerScale * scale. Two sorts of dots are left
+/// out: those where the density is below 1 %, whose distances chance decides, and those nearer to the page's
+/// edge than a mean spacing, the root of the page's area over the number of dots, which have neighbours on
+/// one side only. All 0 if none is left. Dots lie on the page.
+LocalDistances local_distances(std::span<const glm::dvec2> dots, const Density& density, double full);
 
 /// For every point the distance to its nearest neighbour, in the unit of the domain. On a torus the point's
 /// own images count, so one point alone is a square lattice. In a window a point near the edge has neighbours

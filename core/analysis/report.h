@@ -13,8 +13,6 @@
 #include "core/analysis/discrepancy.h"
 #include "core/analysis/distances.h"
 #include "core/analysis/domain.h"
-#include "core/analysis/local_density.h"
-#include "core/analysis/pair_correlation.h"
 #include "core/analysis/periodogram.h"
 #include "core/analysis/spectrum.h"
 

@@ -8,13 +8,28 @@
 #include "core/drawing/drawing.h"
 #include "core/drawing/drawing_file.h"
 #include "core/drawing/pipeline.h"
+#include "core/drawing/settings.h"
 #include "core/output/findings.h"
 #include "core/output/pen_figures.h"
 #include "core/output/plotting_time.h"
 #include "core/output/preflight.h"
-#include "core/output/stroke_figures.h"
 
 namespace dapple {
+
+// What is known of a drawing before it is plotted, for the command and the window alike: see
+// core/output/findings.h.
+
+/// How such a file brings the dots onto the paper.
+DotsAs dots_as(const DrawingSettings& settings, const SavingChoice& saving, DrawingFormat format);
+
+/// How far the ink of its dots reaches. Where a machine touches the paper and nothing says how large dots
+/// are, they are as wide as the pen's line.
+InkedDot inked_dot(const DrawingSettings& settings, DrawingFormat format, const DrawingToSave& drawing);
+
+/// All that follows from the settings. Left to whoever has the dots: what is measured, the plotting time, the
+/// pens, and the tone of dots of a size of their own.
+DrawingFacts facts_of(const DrawingSettings& settings, const SavingChoice& saving, DrawingFormat format,
+                      const DrawingToSave& drawing);
 
 /// A drawing as it goes into its file.
 struct LaidOutDrawing {

@@ -6,7 +6,6 @@
 #include "core/output/drawing_format.h"
 #include "core/output/findings.h"
 #include "core/output/gcode.h"
-#include "core/output/gcode_program.h"
 
 namespace dapple {
 

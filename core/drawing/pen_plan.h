@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "core/image/ink.h"
-#include "core/image/linear_colour.h"
+#include "core/image/colour.h"
 #include "core/pens/pen_dots.h"
 #include "core/pens/separation.h"
 

@@ -4,7 +4,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "core/image/linear_colour.h"
+#include "core/image/colour.h"
 #include "core/maths/portable_math.h"
 
 namespace dapple {

@@ -17,7 +17,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "core/image/linear_colour.h"
+#include "core/image/colour.h"
 #include "core/image/tone.h"
 #include "core/output/sample_band.h"
 #include "core/text/length.h"

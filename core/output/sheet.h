@@ -3,6 +3,7 @@
 // try first.
 
 #include <glm/vec2.hpp>
+#include <ostream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -87,5 +88,18 @@ std::vector<CutMark> cut_marks(const PageSize& page, const Sheet& sheet);
 /// A cross in each of the page's corners, for each pen to draw: where they lie on one another, so do the
 /// pens' dots. 6 mm high and wide, or a twentieth of the page's shorter side where that is less.
 std::vector<CutMark> registration_marks(const PageSize& page);
+
+// A page that shows which sheet of a mural goes where, and tells how to cut and join them.
+
+struct AssemblyPlan {
+    PageSize page;       // the whole mural
+    Sheet sheets;        // how many there are, and their overlap
+    std::string name;    // the files are name-A1 and so on,
+    std::string ending;  // with this ending
+};
+
+/// An SVG of an upright A4 page: the mural to scale with its sheets' names, the shared strips grey and the
+/// lines to cut along dashed, and the steps in words. The same plan is the same file.
+void write_assembly_plan(std::ostream& out, const AssemblyPlan& plan);
 
 }  // namespace dapple

@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "core/image/linear_colour.h"
+#include "core/image/colour.h"
 #include "core/pens/separation.h"
 #include "core/text/length.h"
 #include "core/text/numbers.h"

@@ -11,7 +11,7 @@
 #include <limits>
 #include <numeric>
 
-#include "core/image/linear_colour.h"
+#include "core/image/colour.h"
 #include "core/maths/portable_math.h"
 
 namespace dapple {

@@ -17,7 +17,7 @@
 #include "core/image/density.h"
 #include "core/placing/dots.h"
 #include "core/placing/placing_table.h"
-#include "core/placing/tie_order.h"
+#include "core/placing/dot_order.h"
 
 namespace dapple {
 

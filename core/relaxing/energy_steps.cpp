@@ -6,7 +6,6 @@
 #include <numbers>
 #include <utility>
 
-#include "core/relaxing/gaussian.h"
 #include "core/relaxing/page_edge.h"
 
 namespace dapple {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/image/grid.h"
+#include "core/placing/stipple.h"
 
 namespace dapple {
 
@@ -55,5 +56,12 @@ Grid<float> screened(const Grid<float>& light, const Grid<float>& thresholds);
 /// The places of the inked pixels of an even grey, in pixels from the mask's corner, those of the `count`
 /// lowest ranks of a slice: a point set on the torus for core/analysis.
 std::vector<glm::dvec2> inked_places(const ThresholdMask& mask, std::uint32_t count, int slice = 0);
+
+// Masks whose order is a self-similar tile's: a pixel is inked when the first dot of an endless subdivision
+// falls into it.
+
+/// A square mask, `side` pixels wide (4..2048), whose edges meet as those of the tile do. Throws
+/// std::runtime_error if the side is out of its range.
+ThresholdMask tile_mask(RankedTile& tile, int side);
 
 }  // namespace dapple

@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "core/image/grid.h"
-#include "core/image/linear_colour.h"
+#include "core/image/colour.h"
 #include "io/decoding/decoded_image.h"
 
 namespace dapple {

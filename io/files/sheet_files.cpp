@@ -6,7 +6,7 @@
 #include <iterator>
 #include <ostream>
 
-#include "core/output/assembly_plan.h"
+#include "core/output/sheet.h"
 #include "core/text/shown_text.h"
 #include "io/files/atomic_file.h"
 #include "io/files/drawing_format.h"

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/output/machine_clock.h"
+#include "core/output/plotting_time.h"
 #include "core/placing/dots.h"
 #include "core/placing/page.h"
 #include "core/strokes/strokes.h"

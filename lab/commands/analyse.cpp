@@ -8,7 +8,7 @@
 #include <string>
 
 #include "core/analysis/report.h"
-#include "core/analysis/spectrum_picture.h"
+#include "core/analysis/spectrum.h"
 #include "core/text/number_words.h"
 #include "io/available_memory.h"
 #include "io/command_line/files_in_use.h"

@@ -12,7 +12,7 @@
 #include <thread>
 
 #include "core/analysis/periodogram.h"
-#include "core/analysis/spectrum_picture.h"
+#include "core/analysis/spectrum.h"
 #include "core/image/tone.h"
 #include "lab/analysis/black_seams.h"
 #include "lab/analysis/report_page.h"

@@ -11,7 +11,6 @@
 
 #include "core/analysis/discrepancy.h"
 #include "core/analysis/distances.h"
-#include "core/analysis/local_distances.h"
 #include "core/analysis/spectrum.h"
 #include "core/image/ink.h"
 #include "lab/compare/cell_marks.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/lights/sobol.h"
+#include "core/lights/sampler_comparison.h"
 #include "lab/related/bent_square.h"
 
 namespace dapple {

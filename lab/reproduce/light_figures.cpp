@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/image/sky.h"
+#include "core/image/environment.h"
 #include "core/lights/light_picture.h"
 #include "core/text/shown_text.h"
 #include "io/files/environment_file.h"

@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "core/analysis/report.h"
-#include "core/analysis/spectrum_picture.h"
+#include "core/analysis/spectrum.h"
 #include "core/output/svg.h"
 #include "io/reports/plot.h"
 #include "lab/analysis/report_page.h"

@@ -5,7 +5,7 @@
 #include <complex>
 #include <numbers>
 
-#include "core/tile/candidates.h"
+#include "core/tile/ranking.h"
 
 namespace dapple {
 

@@ -7,7 +7,7 @@
 #include <compare>
 #include <numbers>
 
-#include "core/tile/orientation.h"
+#include "core/tile/tile.h"
 
 namespace dapple {
 

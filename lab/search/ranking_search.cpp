@@ -5,7 +5,7 @@
 #include <numeric>
 #include <optional>
 
-#include "core/tile/candidates.h"
+#include "core/tile/ranking.h"
 #include "core/tile/random.h"
 
 namespace dapple {

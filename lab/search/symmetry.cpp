@@ -5,7 +5,7 @@
 #include <numeric>
 #include <vector>
 
-#include "core/tile/orientation.h"
+#include "core/tile/tile.h"
 
 namespace dapple {
 namespace {

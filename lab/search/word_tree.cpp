@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/tile/orientation.h"
+#include "core/tile/tile.h"
 
 namespace dapple {
 

@@ -4,7 +4,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "core/image/sky.h"
+#include "core/image/environment.h"
 #include "core/lights/light_samples.h"
 
 using namespace dapple;

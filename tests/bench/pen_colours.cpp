@@ -14,7 +14,7 @@
 #include "core/drawing/drawing_file.h"
 #include "core/drawing/page_pixels.h"
 #include "core/drawing/pipeline.h"
-#include "core/image/linear_colour.h"
+#include "core/image/colour.h"
 #include "core/pens/separation.h"
 #include "io/files/tile_library.h"
 

@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/analysis/local_distances.h"
+#include "core/analysis/distances.h"
 #include "core/analysis/periodogram.h"
 #include "core/analysis/spectrum.h"
 #include "core/drawing/pipeline.h"

@@ -28,7 +28,6 @@
 #include <vector>
 
 #include "core/analysis/distances.h"
-#include "core/analysis/local_distances.h"
 #include "core/drawing/settings.h"
 #include "core/image/detail.h"
 #include "core/image/ink.h"

@@ -7,7 +7,7 @@
 #include "app/viewer/background/workbench.h"
 #include "core/drawing/drawing_file.h"
 #include "core/drawing/page_pixels.h"
-#include "core/image/linear_colour.h"
+#include "core/image/colour.h"
 
 namespace dapple {
 namespace {

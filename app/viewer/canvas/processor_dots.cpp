@@ -6,7 +6,7 @@
 #include <glm/common.hpp>
 #include <string_view>
 
-#include "core/image/linear_colour.h"
+#include "core/image/colour.h"
 
 namespace dapple {
 

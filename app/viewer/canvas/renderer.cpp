@@ -14,7 +14,6 @@
 
 #include "app/viewer/background/dot_colours.h"
 #include "core/image/colour.h"
-#include "core/image/linear_colour.h"
 #include "core/image/tone.h"
 #include "dapple_viewer_embedded/shaders.h"
 

@@ -9,11 +9,10 @@
 #include <span>
 #include <vector>
 
-#include "core/drawing/drawing_facts.h"
+#include "core/drawing/drawing_figures.h"
 #include "core/drawing/drawing_file.h"
 #include "core/drawing/gcode_choice.h"
 #include "core/output/pen_figures.h"
-#include "core/output/stroke_figures.h"
 #include "core/routing/short_way.h"
 #include "io/files/file_size.h"
 

@@ -11,7 +11,7 @@
 
 #include "app/viewer/model/pane.h"
 #include "core/output/findings.h"
-#include "core/output/machine_clock.h"
+#include "core/output/plotting_time.h"
 #include "io/files/save_drawing.h"
 
 namespace dapple {

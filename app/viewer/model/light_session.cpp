@@ -4,7 +4,7 @@
 #include <exception>
 #include <utility>
 
-#include "core/image/sky.h"
+#include "core/image/environment.h"
 #include "core/text/shown_text.h"
 #include "io/files/environment_file.h"
 #include "io/files/save_lights.h"

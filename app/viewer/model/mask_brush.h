@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/image/brush.h"
+#include "core/image/mask.h"
 
 namespace dapple {
 

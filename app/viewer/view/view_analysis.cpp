@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "app/viewer/background/with_alpha.h"
-#include "core/analysis/spectrum_picture.h"
+#include "core/analysis/spectrum.h"
 
 namespace dapple {
 namespace {

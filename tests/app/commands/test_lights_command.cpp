@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "core/image/sky.h"
+#include "core/image/environment.h"
 #include "core/lights/direction.h"
 #include "core/lights/light_samples.h"
 #include "core/lights/sampler_comparison.h"

@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include "core/analysis/local_density.h"
+#include "core/analysis/distances.h"
 #include "tests/point_sets.h"
 
 using namespace dapple;

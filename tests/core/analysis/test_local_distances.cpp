@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/analysis/local_distances.h"
+#include "core/analysis/distances.h"
 #include "tests/point_sets.h"
 
 using namespace dapple;

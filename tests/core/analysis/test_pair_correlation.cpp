@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/analysis/pair_correlation.h"
+#include "core/analysis/autocorrelation.h"
 #include "tests/point_sets.h"
 
 using namespace dapple;

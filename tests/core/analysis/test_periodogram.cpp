@@ -5,7 +5,6 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "core/analysis/fourier_sums.h"
 #include "core/analysis/periodogram.h"
 #include "tests/point_sets.h"
 

@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include "core/analysis/spectrum_picture.h"
+#include "core/analysis/spectrum.h"
 #include "tests/point_sets.h"
 
 using namespace dapple;

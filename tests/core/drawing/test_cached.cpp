@@ -1,4 +1,4 @@
-#include "core/drawing/cached.h"
+#include "core/drawing/pipeline.h"
 
 #include <doctest/doctest.h>
 

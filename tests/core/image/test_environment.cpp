@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "core/image/environment.h"
-#include "core/image/sky.h"
 #include "core/lights/direction.h"
 #include "core/lights/irradiance.h"
 

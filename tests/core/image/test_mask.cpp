@@ -7,7 +7,6 @@
 #include <glm/geometric.hpp>
 
 #include "core/drawing/pipeline.h"
-#include "core/image/brush.h"
 #include "core/image/mask.h"
 #include "core/image/tone.h"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/image/sky.h"
+#include "core/image/environment.h"
 #include "core/lights/direction.h"
 #include "core/lights/sampler_comparison.h"
 #include "io/reports/light_report.h"

@@ -7,11 +7,10 @@
 #include <set>
 #include <utility>
 
-#include "core/image/sky.h"
+#include "core/image/environment.h"
 #include "core/lights/direction.h"
 #include "core/lights/irradiance.h"
 #include "core/lights/light_samples.h"
-#include "core/lights/regions.h"
 
 using namespace dapple;
 

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <random>
 
-#include "core/image/sky.h"
+#include "core/image/environment.h"
 #include "core/lights/direction.h"
 #include "core/lights/light_samples.h"
 #include "core/lights/settling.h"

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/lights/sobol.h"
+#include "core/lights/sampler_comparison.h"
 
 using namespace dapple;
 

@@ -17,7 +17,7 @@
 
 #include "core/analysis/distances.h"
 #include "core/drawing/pen_plan.h"
-#include "core/image/linear_colour.h"
+#include "core/image/colour.h"
 #include "core/pens/pen_dots.h"
 #include "core/placing/stipple.h"
 #include "core/relaxing/relax.h"

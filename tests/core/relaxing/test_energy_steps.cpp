@@ -12,7 +12,7 @@
 
 #include "core/placing/stipple.h"
 #include "core/relaxing/blurred_density.h"
-#include "core/relaxing/gaussian.h"
+#include "core/relaxing/energy_steps.h"
 #include "core/relaxing/relax.h"
 #include "tests/densities.h"
 #include "tests/dot_pieces.h"

@@ -15,8 +15,7 @@
 
 #include "core/image/blur.h"
 #include "core/placing/stipple.h"
-#include "core/relaxing/covered_bits.h"
-#include "core/relaxing/poisson.h"
+#include "core/relaxing/warp.h"
 #include "core/relaxing/relax.h"
 #include "tests/densities.h"
 #include "tests/dot_pieces.h"

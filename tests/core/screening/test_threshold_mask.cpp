@@ -11,7 +11,7 @@
 
 #include "core/analysis/distances.h"
 #include "core/drawing/settings.h"
-#include "core/screening/tile_mask.h"
+#include "core/screening/threshold_mask.h"
 #include "core/screening/void_and_cluster.h"
 #include "io/files/tile_library.h"
 

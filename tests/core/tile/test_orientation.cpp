@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/tile/orientation.h"
+#include "core/tile/tile.h"
 
 using namespace dapple;
 

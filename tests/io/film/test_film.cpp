@@ -7,7 +7,7 @@
 #include <set>
 
 #include "core/drawing/page_pixels.h"
-#include "core/output/stroke_figures.h"
+#include "core/output/pen_figures.h"
 #include "io/files/tile_library.h"
 #include "io/film/film_frames.h"
 #include "io/film/plot_film.h"

@@ -11,7 +11,7 @@
 #include "app/viewer/model/export_estimate.h"
 #include "app/viewer/model/session.h"
 #include "core/drawing/pipeline.h"
-#include "core/output/stroke_figures.h"
+#include "core/output/pen_figures.h"
 #include "io/files/file_size.h"
 #include "io/files/sample.h"
 #include "io/files/save_drawing.h"

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "app/viewer/background/small_drawing.h"
-#include "core/image/linear_colour.h"
+#include "core/image/colour.h"
 #include "core/pens/separation.h"
 
 namespace dapple {

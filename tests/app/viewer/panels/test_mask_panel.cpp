@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "app/viewer/panels/mask_panel.h"
-#include "core/image/brush.h"
+#include "core/image/mask.h"
 #include "tests/headless_ui.h"
 
 namespace dapple {
