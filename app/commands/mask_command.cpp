@@ -15,7 +15,7 @@
 #include "io/command_line/options.h"
 #include "io/command_line/remarks.h"
 #include "io/files/atomic_file.h"
-#include "io/files/file_ending.h"
+#include "io/files/text_file.h"
 #include "io/files/picture.h"
 #include "io/files/png_file.h"
 #include "io/files/tile_library.h"

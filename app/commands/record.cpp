@@ -7,12 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "app/commands/project_input.h"
 #include "app/commands/settings_options.h"
 #include "io/command_line/files_in_use.h"
 #include "io/command_line/options.h"
 #include "io/command_line/remarks.h"
-#include "io/files/sample.h"
+#include "io/files/picture.h"
 #include "io/files/save_drawing.h"
 #include "io/files/tile_library.h"
 #include "io/film/save_film.h"

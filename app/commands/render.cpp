@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 
+#include <unistd.h>
 #include <chrono>
 #include <cstdio>
 #include <future>
@@ -14,7 +14,6 @@
 #include <utility>
 #include <vector>
 
-#include "app/commands/render_page.h"
 #include "app/commands/render_report.h"
 #include "core/drawing/drawing_file.h"
 #include "core/drawing/pipeline.h"
@@ -28,7 +27,7 @@
 #include "io/files/atomic_file.h"
 #include "io/files/file_size.h"
 #include "io/files/pdf_file.h"
-#include "io/files/sample.h"
+#include "io/files/picture.h"
 #include "io/files/save_drawing.h"
 #include "io/files/separations.h"
 #include "io/files/standard_input.h"
@@ -37,6 +36,44 @@
 #include "io/settings/embedded_settings.h"
 
 namespace dapple {
+
+bool draws_whole_page(const RenderOptions& options) {
+    return !options.saving.region && options.sheet == Sheet{};
+}
+
+PageLayout layout_for(glm::ivec2 picture, const RenderOptions& options) {
+    const PageSetup& setup = options.drawing.page;
+    PageSetup uncut = setup;
+    uncut.fit = PageFit::inside;
+    const glm::ivec2 cropped = with_option("--crop", [&] {
+                                   if (setup.crop) check_crop(*setup.crop, picture);
+                                   return framing_of(uncut, picture);
+                               }).size();
+    static_cast<void>(with_option("--margin", [&] { return layout_of(setup, cropped); }));
+    const glm::ivec2 size = framing_of(setup, picture).size();
+    const PageLayout layout = with_option(
+        "--dot-radius", [&] { return layout_of(setup, size, {.mm = reach_mm(options.drawing.dot_size)}); });
+    const double width = layout.page.width_mm, height = layout.page.height_mm;
+    const auto too_long = [&](const char* given, double side, const char* is, const char* becomes,
+                              double other) {
+        return std::runtime_error(fmt::format(
+            "{}: {} x {} pixels would make a page {:g} mm {} and {:.4g} m {}, and {:g} m is the most; "
+            "choose a {} of {:.2g} or less",
+            name_of_image(options), size.x, size.y, side, is, other / 1000, becomes, kLongestSideMm / 1000,
+            given, side * kLongestSideMm / other * 0.95));
+    };
+    if (setup.paper != Paper::as_picture) return layout;
+    if (height > kLongestSideMm) throw too_long("--width", width, "wide", "high", height);
+    if (width > kLongestSideMm) throw too_long("--height", height, "high", "wide", width);
+    return layout;
+}
+
+DrawnPage page_for(const PageLayout& layout, const RenderOptions& options) {
+    if (options.saving.region)
+        return with_option("--region", [&] { return drawn_page(layout, options.saving); });
+    return with_option("--overlap", [&] { return drawn_page(layout, options.sheet); });
+}
+
 namespace {
 
 constexpr double kLargeFile = 20e6;  // bytes: it is told before it is written

@@ -1,14 +1,20 @@
 #pragma once
 // What `dapple render` does: a picture to a file of dots.
 
+#include <fmt/format.h>
+
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <glm/vec2.hpp>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "core/drawing/drawing_file.h"
+#include "core/drawing/page_setup.h"
 #include "core/drawing/settings.h"
 #include "core/output/sheet.h"
 #include "io/files/atomic_file.h"
@@ -62,5 +68,28 @@ Rendered render(const RenderOptions& options, const RenderWatch& watcher = {});
 /// stay.
 void render_parts(std::span<const RenderOptions> parts, const RenderWatch& watcher,
                   const std::function<void(const RenderOptions& part, const Rendered& drawn)>& take);
+
+// Where `dapple render` draws: the page, the picture on it, and the part of it that is wanted.
+
+/// What make() makes; an error that it throws gets that option's name before it.
+template <class Make>
+auto with_option(const char* option, const Make& make) {
+    try {
+        return make();
+    } catch (const std::runtime_error& error) {
+        throw std::runtime_error(fmt::format("{}: {}", option, error.what()));
+    }
+}
+
+/// Whether neither a sheet nor a region was asked for.
+bool draws_whole_page(const RenderOptions& options);
+
+/// The layout for a picture of so many pixels, before it is known how large the dots are if that follows from
+/// their number. Throws std::runtime_error, "--option: why", for a page that cannot be.
+PageLayout layout_for(glm::ivec2 picture, const RenderOptions& options);
+
+/// The page and the part of it that is wanted. Throws as layout_for() does, for a part that does not lie on
+/// the page.
+DrawnPage page_for(const PageLayout& layout, const RenderOptions& options);
 
 }  // namespace dapple

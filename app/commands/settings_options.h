@@ -3,13 +3,39 @@
 // `dapple record` have in common.
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <functional>
+#include <optional>
 
 #include "core/drawing/settings.h"
 #include "io/files/picture.h"
 #include "io/settings/embedded_settings.h"
 
+namespace CLI {
+class App;
+}
+
 namespace dapple {
+
+// A project as the command line draws it.
+
+struct ProjectInput {
+    std::optional<std::filesystem::path> picture;  // none: the built-in sample
+    DrawingSettings drawing;
+    SavingChoice saving;
+};
+
+/// Throws std::runtime_error naming the file if it cannot be read, or shows a plain density, which the window
+/// alone draws.
+ProjectInput read_project_input(const std::filesystem::path& file);
+
+// The options of G-code: --gcode, --feed, --dwell, --acceleration.
+
+/// The options have to live until the command line is parsed.
+void add_gcode_options(CLI::App& command, SavingChoice& saving);
+
+/// What a template for --gcode is, for the end of the command's help.
+const char* gcode_help();
 
 /// --settings-from and --preset, which give `take` their settings; a preset's with what is the present
 /// picture's own. To be added before the options that change them.

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "app/commands/gcode_options.h"
+#include "app/commands/settings_options.h"
 #include "core/drawing/gcode_choice.h"
 #include "core/output/pen_figures.h"
 #include "core/output/test_sheet.h"

@@ -9,7 +9,7 @@
 #include "io/command_line/files_in_use.h"
 #include "io/command_line/options.h"
 #include "io/files/atomic_file.h"
-#include "io/files/file_ending.h"
+#include "io/files/text_file.h"
 #include "io/files/tile_library.h"
 #include "io/reports/tile_figure.h"
 

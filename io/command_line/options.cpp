@@ -19,7 +19,6 @@
 #include "core/text/quantity.h"
 #include "core/text/shown_text.h"
 #include "io/settings/palettes.h"
-#include "io/settings/pen_file.h"
 
 namespace dapple {
 namespace {

@@ -1,9 +1,13 @@
 #include "io/command_line/program.h"
 
+#include <sys/ioctl.h>
+#include <unistd.h>
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <new>
@@ -12,13 +16,143 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include "core/text/shown_text.h"
-#include "io/command_line/wrapped_help.h"
-#include "io/command_line/wrong_command.h"
 #include "io/signals.h"
 
 namespace dapple {
+
+namespace {
+
+// How many letters have to be put in, left out, changed or swapped with the next (Damerau 1964).
+std::size_t slips_between(std::string_view a, std::string_view b) {
+    std::vector<std::vector<std::size_t>> slips(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+    for (std::size_t i = 0; i <= a.size(); ++i) {
+        for (std::size_t k = 0; k <= b.size(); ++k) {
+            if (i == 0 || k == 0) {
+                slips[i][k] = i + k;
+                continue;
+            }
+            slips[i][k] = std::min(
+                {slips[i - 1][k] + 1, slips[i][k - 1] + 1, slips[i - 1][k - 1] + (a[i - 1] != b[k - 1])});
+            if (i > 1 && k > 1 && a[i - 1] == b[k - 2] && a[i - 2] == b[k - 1])
+                slips[i][k] = std::min(slips[i][k], slips[i - 2][k - 2] + 1);
+        }
+    }
+    return slips[a.size()][b.size()];
+}
+
+}  // namespace
+
+std::optional<std::string> wrong_command(const CLI::App& app, std::span<char* const> words) {
+    if (words.empty()) return std::nullopt;
+    const std::string_view word = words.front();
+    const auto commands = app.get_subcommands({});
+    if (commands.empty() || word.empty() || word.starts_with('-')) return std::nullopt;
+    const CLI::App* nearest = commands.front();
+    for (const CLI::App* command : commands) {
+        const std::string name = command->get_name();
+        if (name == word) return wrong_command(*command, words.subspan(1));
+        if (slips_between(word, name) < slips_between(word, nearest->get_name())) nearest = command;
+    }
+    std::error_code error;
+    const bool like_a_file = word.find_first_of("./") != word.npos || std::filesystem::exists(word, error);
+    if (like_a_file) return std::nullopt;
+    const std::string name = nearest->get_name();
+    std::string sentence = "there is no command \"" + std::string(word) + "\"";
+    if (2 * slips_between(word, name) < name.size())
+        sentence += "; did you mean \"" + name + "\"?";
+    else
+        sentence += "; --help lists them all";
+    return sentence;
+}
+
+std::optional<std::string> wrong_option(const CLI::App& app, std::span<char* const> words) {
+    const CLI::App* command = &app;
+    std::string usage = app.get_name();
+    for (const std::string_view word : words) {
+        if (word == "--") break;
+        if (!word.starts_with("--")) {
+            for (const CLI::App* const below : command->get_subcommands({})) {
+                if (below->get_name() != word) continue;
+                command = below;
+                (usage += ' ') += word;
+                break;
+            }
+            continue;
+        }
+        const std::string_view name = word.substr(2, word.find('=') - 2);
+        std::vector<std::string> names;
+        for (const CLI::Option* option : command->get_options())
+            names.insert(names.end(), option->get_lnames().begin(), option->get_lnames().end());
+        if (std::ranges::find(names, name) != names.end()) continue;
+        const std::string nearest = *std::ranges::min_element(
+            names, {}, [&](const auto& known) { return slips_between(name, known); });
+        const bool near = 3 * slips_between(name, nearest) <= nearest.size();
+        return "there is no option --" + std::string(name) +
+               (near ? "; did you mean --" + nearest + "?" : "; " + usage + " --help lists them all");
+    }
+    return std::nullopt;
+}
+
+namespace {
+
+constexpr std::size_t kNarrowest = 60;
+
+// Where a line's second column begins; npos: it has none.
+std::size_t second_column(std::string_view line) {
+    const std::size_t first = line.find_first_not_of(' ');
+    if (first == line.npos) return line.npos;
+    const std::size_t gap = line.find("  ", first);
+    // A name that is too long to have the second column beside it stands in the line before.
+    if (gap == line.npos) return first >= 10 ? first : line.npos;
+    return line.find_first_not_of(' ', gap);
+}
+
+void add_wrapped(std::string& result, std::string_view line, std::size_t width) {
+    const std::size_t column = second_column(line);
+    const bool as_it_is = line.starts_with(' ') && column == line.npos;
+    const std::size_t indent = column == line.npos || column > width / 2 ? 0 : column;
+    std::size_t before = 0;  // columns that are taken already, and where no line may end
+    for (std::size_t kept = indent; !as_it_is && before + line.size() > width; kept = 0, before = indent) {
+        std::size_t end = line.rfind(' ', width - before);
+        if (end == line.npos || end < std::max(kept, std::size_t{1})) end = line.find(' ', width - before);
+        if (end == line.npos) break;
+        result += line.substr(0, end);
+        result += '\n';
+        result.append(indent, ' ');
+        line.remove_prefix(std::min(line.find_first_not_of(' ', end), line.size()));
+    }
+    result += line;
+}
+
+}  // namespace
+
+std::string wrapped(std::string_view text, std::size_t width) {
+    std::string result;
+    for (std::size_t end = 0; !text.empty(); text.remove_prefix(end)) {
+        end = text.find('\n');
+        add_wrapped(result, text.substr(0, end), width);
+        if (end == text.npos) break;
+        result += '\n';
+        ++end;
+    }
+    return result;
+}
+
+std::size_t terminal_columns() {
+    winsize size{};
+    return ::isatty(STDOUT_FILENO) == 1 && ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
+}
+
+std::string WrappedHelp::make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const {
+    const std::string help = CLI::Formatter::make_help(app, std::move(name), mode);
+    const std::size_t columns = terminal_columns();
+    return columns == 0 ? help : wrapped(help, std::max(columns, kNarrowest));
+}
+
 namespace {
 
 constexpr int kFailed = 1;

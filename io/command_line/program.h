@@ -1,13 +1,44 @@
 #pragma once
 // A program with commands, from its first word to its exit status.
 
+#include <CLI/CLI.hpp>
+#include <cstddef>
 #include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
 
 namespace CLI {
 class App;
 }
 
 namespace dapple {
+
+// What was mistyped: a command, as opposed to the name of a picture, or an option.
+
+/// What is wrong with a first word that was meant as a command: "rendr" for "render". Nothing if it is one,
+/// or may be a picture.
+std::optional<std::string> wrong_command(const CLI::App& app, std::span<char* const> words);
+
+/// The same for the first option that does not exist: "--dotz" for "--dots".
+std::optional<std::string> wrong_option(const CLI::App& app, std::span<char* const> words);
+
+// Help whose lines end at the terminal's edge, between words.
+
+/// Lines of at most `width` columns, but for words that are longer. What follows of a line stands under its
+/// second column, where it has one: a gap of two spaces or more before it. Lines that are set in and have
+/// none, such as commands to copy, stay as they are.
+std::string wrapped(std::string_view text, std::size_t width);
+
+/// The columns of the terminal that the standard output is; 0: it is none.
+std::size_t terminal_columns();
+
+/// Wrapped on a terminal alone: programs and files get each line whole.
+class WrappedHelp : public CLI::Formatter {
+ public:
+    std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override;
+};
 
 /// Parses the command line and runs its command, or the program's own callback without one. What is wrong is
 /// one sentence on the standard error, behind the program's name. Returns 0 if all was done (`status`, which

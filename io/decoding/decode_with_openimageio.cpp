@@ -1,34 +1,630 @@
 // Any format but PNG. OpenImageIO's headers come with an fmt of their own: nothing else of it here.
+
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <OpenImageIO/strutil.h>
-
+#include <sys/stat.h>
+#include <tiffio.h>
 #include <unistd.h>
-
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <functional>
+#include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
+#include <locale>
 #include <memory>
 #include <optional>
 #include <span>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "io/decoding/bmp_runs.h"
-#include "io/decoding/changed_beginning.h"
 #include "io/decoding/decode.h"
-#include "io/decoding/psd_picture.h"
-#include "io/decoding/radiance_header.h"
+#include "io/decoding/decoded_image.h"
 #include "io/decoding/stored_pixels.h"
-#include "io/decoding/tiff_doubles.h"
+
+struct tiff;
 
 namespace dapple {
+
 namespace {
+
+// The merged picture of a PSD or PSB file, which lies behind its layers (Adobe Photoshop File Formats
+// Specification). OpenImageIO refuses a file for a layer packed in a way that it does not know, leaves out
+// the transparency of grey pictures, and takes colours that are not mixed with white for such that are.
+
+class PsdPicture {
+ public:
+    /// Of an open file, whose descriptor keeps its place and stays open. Throws DecodeError if it ends too
+    /// early.
+    explicit PsdPicture(int file);
+
+    /// What the same picture without layers begins with; after it comes what the file has from rest() on.
+    std::vector<unsigned char> beginning() const;
+    std::uint64_t rest() const { return data_; }
+
+    /// Whether it is a grey or an RGB picture with transparency, which read() reads.
+    bool has_transparency() const { return transparent_; }
+    /// Of these: the colours', and alpha.
+    int channels() const { return colours_ + 1; }
+    /// Rows [begin, end), values from 0 to 1 or of 32-bit pixels as they are, colours not multiplied by
+    /// alpha. Throws DecodeError where a row is not there.
+    void read(int begin, int end, float* pixels);
+
+ private:
+    std::uint64_t number_at(std::uint64_t at, int bytes) const;
+    bool says_transparent() const;
+    void find_rows();
+    void find_white();
+    void read_values(int begin, int end, float* pixels);
+    void read_row(int channel, int y);
+
+    int file_, long_bytes_ = 4;
+    std::uint64_t layers_ = 0, data_ = 0;  // places: of the layers' section, and behind it
+    int channels_ = 0, colours_ = 0, bits_ = 0, width_ = 0, height_ = 0;
+    bool transparent_ = false, packed_ = false, mixed_with_white_ = true;
+    std::vector<std::uint64_t>
+        rows_;  // where each of the colours and alpha begins, channel by channel; and the end
+    std::vector<unsigned char> packed_row_, row_;
+};
+
+constexpr std::uint64_t kPsdHeader = 26;
+
+[[noreturn]] void fail_at_row(int y) {
+    throw DecodeError("the picture is damaged (row " + std::to_string(y) + " is not there)");
+}
+
+// Of runs, as PackBits has them; false if they do not fill the row just so far as it is long.
+bool unpack(const std::vector<unsigned char>& packed, std::vector<unsigned char>& row) {
+    std::size_t at = 0, to = 0;
+    while (at < packed.size() && to < row.size()) {
+        const auto what = static_cast<signed char>(packed[at++]);
+        if (what == -128) continue;
+        const std::size_t count = what < 0 ? std::size_t(1 - what) : std::size_t(what) + 1;
+        if (to + count > row.size() || at + (what < 0 ? 1 : count) > packed.size()) return false;
+        if (what < 0)
+            std::fill_n(row.begin() + static_cast<long>(to), count, packed[at++]);
+        else
+            std::copy_n(packed.begin() + static_cast<long>(at), count, row.begin() + static_cast<long>(to));
+        if (what >= 0) at += count;
+        to += count;
+    }
+    return to == row.size();
+}
+
+PsdPicture::PsdPicture(int file) : file_(file) {
+    constexpr std::uint64_t kLargestBeginning = 256 << 20;
+    constexpr int kGrey = 1, kRgb = 3, kDuotone = 8;
+    if (number_at(4, 2) == 2) long_bytes_ = 8;  // of over 2 gigabytes, or 30,000 pixels a side
+    channels_ = static_cast<int>(number_at(12, 2));
+    height_ = static_cast<int>(std::min<std::uint64_t>(number_at(14, 4), INT32_MAX));
+    width_ = static_cast<int>(std::min<std::uint64_t>(number_at(18, 4), INT32_MAX));
+    bits_ = static_cast<int>(number_at(22, 2));
+    const auto mode = static_cast<int>(number_at(24, 2));
+    const std::uint64_t resources = kPsdHeader + 4 + number_at(kPsdHeader, 4);
+    layers_ = resources + 4 + number_at(resources, 4);
+    data_ = layers_ + static_cast<std::uint64_t>(long_bytes_) + number_at(layers_, long_bytes_);
+    std::array<char, 2> way{};
+    if (layers_ > kLargestBeginning || data_ > INT64_MAX ||
+        ::pread(file_, way.data(), way.size(), static_cast<off_t>(data_)) != 2)
+        throw DecodeError("the picture is damaged (it ends before its pixels)");
+    packed_ = way[1] == 1;
+    colours_ = mode == kRgb ? 3 : mode == kGrey || mode == kDuotone ? 1 : 0;
+    transparent_ = colours_ > 0 && channels_ > colours_ && way[0] == 0 && way[1] <= 1 &&
+                   (bits_ == 8 || bits_ == 16 || bits_ == 32) && says_transparent();
+}
+
+std::vector<unsigned char> PsdPicture::beginning() const {
+    std::vector<unsigned char> bytes(layers_);
+    for (std::size_t read = 0; read < bytes.size();) {
+        const ssize_t got =
+            ::pread(file_, bytes.data() + read, bytes.size() - read, static_cast<off_t>(read));
+        if (got <= 0) throw DecodeError("the picture is damaged (it ends before its pixels)");
+        read += static_cast<std::size_t>(got);
+    }
+    bytes.resize(bytes.size() + static_cast<std::size_t>(long_bytes_));
+    return bytes;
+}
+
+// Some bytes of the file as a whole number; 0 where it ends before.
+std::uint64_t PsdPicture::number_at(std::uint64_t at, int bytes) const {
+    std::array<unsigned char, 8> read{};
+    if (at > INT64_MAX ||
+        ::pread(file_, read.data(), static_cast<std::size_t>(bytes), static_cast<off_t>(at)) != bytes)
+        return 0;
+    std::uint64_t number = 0;
+    for (int i = 0; i < bytes; ++i) number = number << 8 | read[static_cast<std::size_t>(i)];
+    return number;
+}
+
+// The first channel after the colours is transparency if the number of layers is below 0. Of 16 and 32 bits,
+// layers lie in a block of their own, behind the masks; without layers another one says so.
+bool PsdPicture::says_transparent() const {
+    const auto long_bytes = static_cast<std::uint64_t>(long_bytes_);
+    const auto below_zero = [this](std::uint64_t at) { return (number_at(at, 2) & 0x8000) != 0; };
+    std::uint64_t at = layers_ + long_bytes;
+    if (at == data_) return false;
+    const std::uint64_t layers = number_at(at, long_bytes_);
+    at += long_bytes;
+    if (layers > 0 && below_zero(at)) return true;
+    at += layers;
+    at += 4 + number_at(at, 4);
+    for (constexpr std::uint64_t kBlock = 12; at < data_ && data_ - at >= kBlock;) {
+        std::array<char, 8> begin{};
+        if (::pread(file_, begin.data(), begin.size(), static_cast<off_t>(at)) != 8) return false;
+        const std::string_view mark(begin.data(), 4), key(begin.data() + 4, 4);
+        if (mark != "8BIM" && mark != "8B64") return false;
+        if (key == "Mtrn" || key == "Mt16" || key == "Mt32") return true;
+        const bool is_layers = key == "Lr16" || key == "Lr32" || key == "Layr";
+        constexpr std::array<std::string_view, 7> kLong{"LMsk", "Alph", "FMsk", "lnk2",
+                                                        "FEid", "FXid", "PxSD"};
+        const bool is_long = long_bytes_ == 8 && (is_layers || std::ranges::find(kLong, key) != kLong.end());
+        const int bytes = is_long ? 8 : 4;
+        const std::uint64_t size = number_at(at + 8, bytes);
+        at += 8 + static_cast<std::uint64_t>(bytes);
+        if (is_layers && below_zero(at)) return true;
+        if (size > data_ - std::min(at, data_)) return false;
+        at += (size + 3) / 4 * 4;
+    }
+    return false;
+}
+
+void PsdPicture::find_rows() {
+    const auto row_bytes = static_cast<std::uint64_t>(width_) * static_cast<std::uint64_t>(bits_ / 8);
+    const auto height = static_cast<std::size_t>(height_);
+    const std::size_t count = height * static_cast<std::size_t>(channels());
+    std::uint64_t at = data_ + 2;
+    row_.resize(row_bytes);
+    rows_.reserve(count + 1);
+    if (!packed_) {
+        for (std::size_t i = 0; i <= count; ++i) rows_.push_back(at + i * row_bytes);
+        return;
+    }
+    const auto length_bytes = static_cast<std::size_t>(long_bytes_ / 2);
+    std::vector<unsigned char> lengths(height * length_bytes);
+    const std::uint64_t table = at;
+    at += lengths.size() * static_cast<std::uint64_t>(channels_);
+    rows_.push_back(at);
+    for (int channel = 0; channel < channels(); ++channel) {
+        if (::pread(file_, lengths.data(), lengths.size(),
+                    static_cast<off_t>(table + lengths.size() * static_cast<std::uint64_t>(channel))) !=
+            static_cast<ssize_t>(lengths.size()))
+            fail_at_row(0);
+        for (std::size_t y = 0; y < height; ++y) {
+            std::uint64_t length = 0;
+            for (std::size_t i = 0; i < length_bytes; ++i)
+                length = length << 8 | lengths[y * length_bytes + i];
+            rows_.push_back(at += length);
+        }
+    }
+}
+
+// Into row_.
+void PsdPicture::read_row(int channel, int y) {
+    const std::size_t i = static_cast<std::size_t>(channel) * static_cast<std::size_t>(height_) + y;
+    std::vector<unsigned char>& bytes = packed_ ? packed_row_ : row_;
+    const std::uint64_t length = rows_[i + 1] - rows_[i];
+    if (length > 2 * row_.size() + 2) fail_at_row(y);  // more than runs of single bytes have
+    bytes.resize(length);
+    if (::pread(file_, bytes.data(), bytes.size(), static_cast<off_t>(rows_[i])) !=
+            static_cast<ssize_t>(bytes.size()) ||
+        (packed_ && !unpack(packed_row_, row_)))
+        fail_at_row(y);
+}
+
+void PsdPicture::read(int begin, int end, float* pixels) {
+    if (rows_.empty()) {
+        find_rows();
+        find_white();
+    }
+    read_values(begin, end, pixels);
+    const auto count = static_cast<std::size_t>(channels());
+    float* const behind =
+        pixels + static_cast<std::size_t>(width_) * static_cast<std::size_t>(end - begin) * count;
+    for (; mixed_with_white_ && pixels != behind; pixels += count) {
+        const float alpha = pixels[count - 1];
+        for (std::size_t k = 0; k + 1 < count; ++k)
+            pixels[k] = alpha > 0 ? std::max((pixels[k] - (1 - alpha)) / alpha, 0.0f) : 1.0f;
+    }
+}
+
+// Photoshop stores colours mixed with white, as they look on it; other programs, such as ImageMagick, store
+// them as they are. A colour darker than the white in it would be is not mixed with any.
+void PsdPicture::find_white() {
+    constexpr float kRounded = 1.5f / 255;
+    const auto count = static_cast<std::size_t>(channels());
+    std::vector<float> row(static_cast<std::size_t>(width_) * count);
+    for (int y = 0; y < height_ && mixed_with_white_; ++y) {
+        read_values(y, y + 1, row.data());
+        for (std::size_t i = 0; i < row.size(); ++i)
+            if (row[i] < 1 - row[i - i % count + count - 1] - kRounded && i % count + 1 < count)
+                mixed_with_white_ = false;
+    }
+}
+
+void PsdPicture::read_values(int begin, int end, float* pixels) {
+    const auto width = static_cast<std::size_t>(width_), count = static_cast<std::size_t>(channels());
+    for (int y = begin; y < end; ++y, pixels += width * count) {
+        for (std::size_t channel = 0; channel < count; ++channel) {
+            read_row(static_cast<int>(channel), y);
+            const unsigned char* from = row_.data();
+            for (std::size_t x = 0; x < width; ++x, from += bits_ / 8) {
+                float& value = pixels[x * count + channel];
+                if (bits_ == 8)
+                    value = static_cast<float>(from[0]) / 255.0f;
+                else if (bits_ == 16)
+                    value = static_cast<float>(from[0] << 8 | from[1]) / 65535.0f;
+                else
+                    value = std::bit_cast<float>(std::uint32_t{from[0]} << 24 | std::uint32_t{from[1]} << 16 |
+                                                 std::uint32_t{from[2]} << 8 | from[3]);
+            }
+        }
+    }
+}
+
+// The 64-bit floats of a TIFF, which OpenImageIO 2.4 takes for 0 or worse in many files: where rows are asked
+// for that are no whole strips, and in all tiles.
+
+class TiffDoubles {
+ public:
+    /// The page that comes after `page` others in an open file, which stays open. Throws DecodeError, also if
+    /// it is not of that size.
+    TiffDoubles(int file, int page, int width, int height, int channels);
+
+    /// Rows [begin, end) as floats, all channels of a pixel beside each other. `begin` is the first row of a
+    /// strip or of a row of tiles. Throws DecodeError if the file does not have them.
+    void read(int begin, int end, float* pixels);
+
+ private:
+    std::unique_ptr<tiff, void (*)(tiff*)> tiff_;
+    int width_ = 0, height_ = 0, channels_ = 1;
+    bool tiled_ = false, in_planes_ = false;  // in planes, each channel is by itself
+    int piece_width_ = 0, piece_height_ = 0;  // of a strip or tile
+    std::vector<double> piece_;
+};
+
+TiffDoubles::TiffDoubles(int file, int page, int width, int height, int channels)
+    // "m": by reading; a file that gets shorter meanwhile would end the process.
+    : tiff_(::TIFFFdOpen(::dup(file), "picture", "rm"), &::TIFFClose) {
+    if (!tiff_ || ::TIFFSetDirectory(tiff_.get(), static_cast<tdir_t>(page)) == 0)
+        throw DecodeError("not a picture that can be read");
+    const auto number = [this](std::uint32_t tag) {
+        std::uint32_t value = 0;
+        ::TIFFGetFieldDefaulted(tiff_.get(), tag, &value);
+        return static_cast<int>(std::min<std::uint32_t>(value, INT32_MAX));
+    };
+    const auto short_number = [this](std::uint32_t tag) {
+        std::uint16_t value = 0;
+        ::TIFFGetFieldDefaulted(tiff_.get(), tag, &value);
+        return static_cast<int>(value);
+    };
+    width_ = number(TIFFTAG_IMAGEWIDTH);
+    height_ = number(TIFFTAG_IMAGELENGTH);
+    channels_ = short_number(TIFFTAG_SAMPLESPERPIXEL);
+    in_planes_ = short_number(TIFFTAG_PLANARCONFIG) == PLANARCONFIG_SEPARATE;
+    tiled_ = ::TIFFIsTiled(tiff_.get()) != 0;
+    piece_width_ = tiled_ ? number(TIFFTAG_TILEWIDTH) : width_;
+    piece_height_ = tiled_ ? number(TIFFTAG_TILELENGTH) : std::min(number(TIFFTAG_ROWSPERSTRIP), height_);
+    if (short_number(TIFFTAG_BITSPERSAMPLE) != 64 || width_ != width || height_ != height ||
+        channels_ != channels || piece_width_ <= 0 || piece_height_ <= 0)
+        throw DecodeError("not a picture that can be read");
+    const tmsize_t bytes = tiled_ ? ::TIFFTileSize(tiff_.get()) : ::TIFFStripSize(tiff_.get());
+    piece_.resize(static_cast<std::size_t>(bytes) / sizeof(double));
+}
+
+void TiffDoubles::read(int begin, int end, float* pixels) {
+    const int planes = in_planes_ ? channels_ : 1, per_plane = channels_ / planes;
+    const auto read_piece = [&](int x, int y, int plane, int rows) {
+        const auto ux = static_cast<std::uint32_t>(x), uy = static_cast<std::uint32_t>(y);
+        const auto sample = static_cast<std::uint16_t>(plane);
+        const auto bytes = static_cast<tmsize_t>(piece_.size() * sizeof(double));
+        const tmsize_t got =
+            tiled_ ? ::TIFFReadEncodedTile(tiff_.get(), ::TIFFComputeTile(tiff_.get(), ux, uy, 0, sample),
+                                           piece_.data(), bytes)
+                   : ::TIFFReadEncodedStrip(tiff_.get(), ::TIFFComputeStrip(tiff_.get(), uy, sample),
+                                            piece_.data(), bytes);
+        const std::size_t needed = static_cast<std::size_t>(piece_width_) * per_plane *
+                                   static_cast<std::size_t>(tiled_ ? piece_height_ : rows) * sizeof(double);
+        if (got < 0 || static_cast<std::size_t>(got) < needed || piece_.size() * sizeof(double) < needed)
+            throw DecodeError("the picture is damaged (row " + std::to_string(y) + " is not there)");
+    };
+    for (int y = begin; y < end; y += piece_height_) {
+        const int rows = std::min(piece_height_, height_ - y), kept_rows = std::min(rows, end - y);
+        for (int x = 0; x < width_; x += piece_width_) {
+            const int columns = std::min(piece_width_, width_ - x);
+            for (int plane = 0; plane < planes; ++plane) {
+                read_piece(x, y, plane, rows);
+                for (int row = 0; row < kept_rows; ++row) {
+                    const double* from =
+                        piece_.data() + static_cast<std::size_t>(row) * piece_width_ * per_plane;
+                    float* to =
+                        pixels + (static_cast<std::size_t>(y - begin + row) * width_ + x) * channels_ + plane;
+                    for (int column = 0; column < columns; ++column, to += channels_) {
+                        for (int k = 0; k < per_plane; ++k) to[k] = static_cast<float>(*from++);
+                    }
+                }
+            }
+        }
+    }
+}
+
+// What a Radiance picture says of itself (radsite.lbl.gov/radiance/refer/filefmts.pdf), read without a
+// library.
+
+struct RadianceHeader {
+    /// The header of the same pixels, first row first, as OpenImageIO reads it: that needs a FORMAT, and
+    /// numbers two of the eight orders of rows and columns by each other's EXIF number.
+    std::string plain;
+    std::size_t size = 0;    // bytes before the pixels
+    int orientation = 1;     // EXIF's, of the stored rows
+    float pixel_aspect = 1;  // a stored pixel's length along its row for that across
+    /// From the values to the light: they were multiplied by every EXPOSURE and every COLORCORR.
+    glm::mat3 light = glm::mat3(1);
+};
+
+// The numbers of a line after its "="; those that are not there are 0.
+glm::dvec3 numbers_in(std::string_view line) {
+    std::istringstream numbers(std::string(line.substr(line.find('=') + 1)));
+    numbers.imbue(std::locale::classic());
+    glm::dvec3 read(0);
+    numbers >> read.x >> read.y >> read.z;
+    return read;
+}
+
+// "-Y 480 +X 640": rows from the top down, each from left to right. The axis that comes first is that across
+// the stored rows.
+struct Order {
+    std::string_view first, second;
+    int orientation;
+    bool of_columns() const { return first[1] == 'X'; }
+};
+constexpr std::array<Order, 8> kOrders{{{"-Y", "+X", 1},
+                                        {"-Y", "-X", 2},
+                                        {"+Y", "-X", 3},
+                                        {"+Y", "+X", 4},
+                                        {"+X", "-Y", 5},
+                                        {"-X", "-Y", 6},
+                                        {"-X", "+Y", 7},
+                                        {"+X", "+Y", 8}}};
+
+// Of an open file, whose descriptor keeps its place. Throws DecodeError with a sentence if it is none that
+// can be read: its pixels are XYZ, it has no size, an EXPOSURE or COLORCORR that is not a number over 0.
+RadianceHeader radiance_header(int file) {
+    std::array<char, 1 << 16> beginning{};
+    const ssize_t got = ::pread(file, beginning.data(), beginning.size(), 0);
+    std::string_view rest(beginning.data(), got < 0 ? 0 : static_cast<std::size_t>(got));
+    const auto take_line = [&rest]() -> std::optional<std::string_view> {
+        const std::size_t end = rest.find('\n');
+        if (end == rest.npos) return std::nullopt;
+        std::string_view line = rest.substr(0, end);
+        rest.remove_prefix(end + 1);
+        if (line.ends_with('\r')) line.remove_suffix(1);
+        return line;
+    };
+    RadianceHeader header{.plain = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n"};
+    glm::dvec3 multiplied(1);
+    double height_for_width = 1;
+    for (;;) {
+        const auto line = take_line();
+        if (!line) throw DecodeError("the picture is damaged (its header has no end)");
+        if (line->empty()) break;
+        if (line->starts_with("FORMAT=32-bit_rle_xyze"))
+            throw DecodeError(
+                "has colours as XYZ, which cannot be read here; Radiance's ra_xyze -r makes them red, green "
+                "and "
+                "blue");
+        if (line->starts_with("FORMAT=") && line->find("32-bit_rle_rgbe") == line->npos)
+            throw DecodeError("has pixels of a format that is not Radiance's: " +
+                              std::string(line->substr(7)));
+        if (line->starts_with("EXPOSURE=")) multiplied *= numbers_in(*line).x;
+        if (line->starts_with("COLORCORR=")) multiplied *= numbers_in(*line);
+        if (line->starts_with("PIXASPECT=")) height_for_width *= numbers_in(*line).x;
+        if (line->starts_with("GAMMA=")) header.plain += std::string(*line) + '\n';
+    }
+    const glm::dvec3 light = 1.0 / multiplied;
+    for (int i = 0; i < 3; ++i) {
+        if (!(light[i] > 0 && light[i] <= kMostLightOfAPixel))
+            throw DecodeError(
+                "says in its header by which EXPOSURE or COLORCORR its light was multiplied, and that is not "
+                "a number over 0; mend these lines or leave them out");
+        header.light[i][i] = static_cast<float>(light[i]);
+    }
+    std::istringstream size(std::string(take_line().value_or("")));
+    std::string first, second;
+    long rows = 0, columns = 0;
+    size >> first >> rows >> second >> columns;
+    const auto order = std::ranges::find_if(
+        kOrders, [&](const Order& known) { return known.first == first && known.second == second; });
+    if (order == kOrders.end() || rows <= 0 || columns <= 0)
+        throw DecodeError("the picture is damaged (its header has no size such as -Y 480 +X 640)");
+    header.orientation = order->orientation;
+    // Where a row is upright in the picture, its pixels lie on their sides.
+    header.pixel_aspect = static_cast<float>(order->of_columns() ? height_for_width : 1 / height_for_width);
+    header.plain += "\n-Y " + std::to_string(rows) + " +X " + std::to_string(columns) + '\n';
+    header.size = static_cast<std::size_t>(got) - rest.size();
+    return header;
+}
+
+// A file that begins otherwise: what OpenImageIO reads in place of one that it reads wrong.
+
+class ChangedBeginning : public OIIO::Filesystem::IOProxy {
+ public:
+    /// `beginning`, and after it what the open file has from `rest` on.
+    ChangedBeginning(std::vector<unsigned char> beginning, int file, std::uint64_t rest);
+
+    const char* proxytype() const override { return "changed beginning"; }
+    std::size_t read(void* to, std::size_t size) override;
+    std::size_t pread(void* to, std::size_t size, std::int64_t at) override;
+    std::size_t size() const override;
+
+ private:
+    std::vector<unsigned char> beginning_;
+    int file_;
+    std::uint64_t rest_;
+};
+
+ChangedBeginning::ChangedBeginning(std::vector<unsigned char> beginning, int file, std::uint64_t rest)
+    : IOProxy("picture", Read), beginning_(std::move(beginning)), file_(file), rest_(rest) {}
+
+std::size_t ChangedBeginning::read(void* to, std::size_t size) {
+    const std::size_t got = pread(to, size, m_pos);
+    m_pos += static_cast<std::int64_t>(got);
+    return got;
+}
+
+std::size_t ChangedBeginning::pread(void* to, std::size_t size, std::int64_t at) {
+    if (at < 0) return 0;
+    auto place = static_cast<std::uint64_t>(at);
+    auto* const bytes = static_cast<unsigned char*>(to);
+    std::size_t got = 0;
+    if (place < beginning_.size()) {
+        got = std::min<std::size_t>(size, beginning_.size() - place);
+        std::copy_n(beginning_.begin() + at, got, bytes);
+        place += got;
+    }
+    while (got < size) {
+        const std::uint64_t in_file = place - beginning_.size() + rest_;
+        if (in_file > INT64_MAX) break;
+        const ssize_t more = ::pread(file_, bytes + got, size - got, static_cast<off_t>(in_file));
+        if (more <= 0) break;
+        got += static_cast<std::size_t>(more);
+        place += static_cast<std::uint64_t>(more);
+    }
+    return got;
+}
+
+std::size_t ChangedBeginning::size() const {
+    struct stat status {};
+    if (::fstat(file_, &status) != 0) return beginning_.size();
+    const auto all = static_cast<std::uint64_t>(status.st_size);
+    return beginning_.size() + (all > rest_ ? all - rest_ : 0);
+}
+
+// BMP files whose pixels are kept as runs (RLE). OpenImageIO 2.4 reads those of greys wrong, and refuses ends
+// of lines after the last row, which many programs write.
+
+using Bytes = std::vector<unsigned char>;
+
+// Places in a file, and what is there.
+constexpr std::size_t kBegin = 10, kHeaderSize = 14, kWidth = 18, kHeight = 22, kBits = 28, kCompression = 30,
+                      kSize = 34, kColours = 46, kHeader = 54;
+constexpr std::uint32_t kRuns8 = 1, kRuns4 = 2;
+
+std::uint32_t number_at(std::span<const unsigned char> bytes, std::size_t at) {
+    std::uint32_t number = 0;
+    for (std::size_t i = 4; i-- > 0;) number = number << 8 | bytes[at + i];
+    return number;
+}
+
+void put_number(Bytes& bytes, std::size_t at, std::uint32_t number) {
+    for (std::size_t i = 0; i < 4; ++i) bytes[at + i] = static_cast<unsigned char>(number >> 8 * i);
+}
+
+Bytes whole(int file) {
+    struct stat status {};
+    if (::fstat(file, &status) != 0 || status.st_size <= 0) return {};
+    Bytes bytes(static_cast<std::size_t>(status.st_size));
+    std::size_t read = 0;
+    while (read < bytes.size()) {
+        const ssize_t got = ::pread(file, bytes.data() + read, bytes.size() - read, static_cast<off_t>(read));
+        if (got <= 0) break;
+        read += static_cast<std::size_t>(got);
+    }
+    bytes.resize(read);
+    return bytes;
+}
+
+[[noreturn]] void fail() {
+    throw DecodeError("the picture is damaged (its runs do not fit its size)");
+}
+
+// Rows of pixels, in the order of the file; those that no run reaches have the first colour.
+class Rows {
+ public:
+    Rows(std::size_t width, std::size_t height)
+        : width_(width), height_(height), row_bytes_((width + 3) / 4 * 4), pixels_(row_bytes_ * height) {}
+
+    // What lies beyond the end of a row is cut off.
+    void put(unsigned char pixel) {
+        if (y_ >= height_) fail();
+        if (x_ < width_) pixels_[y_ * row_bytes_ + x_] = pixel;
+        ++x_;
+    }
+    void end_line() { x_ = 0, ++y_; }
+    void jump(std::size_t right, std::size_t on) { x_ += right, y_ += on; }
+    bool complete() const { return y_ >= height_; }
+    const Bytes& pixels() const { return pixels_; }
+
+ private:
+    std::size_t width_, height_, row_bytes_, x_ = 0, y_ = 0;
+    Bytes pixels_;
+};
+
+void read_runs(std::span<const unsigned char> runs, bool nibbles, Rows& rows) {
+    constexpr unsigned char kEndOfLine = 0, kEnd = 1, kJump = 2;
+    const auto half = [](unsigned char byte, std::size_t i) {
+        return static_cast<unsigned char>(i % 2 == 0 ? byte >> 4 : byte & 15);
+    };
+    std::size_t at = 0;
+    const auto next = [&] {
+        if (at >= runs.size()) fail();
+        return runs[at++];
+    };
+    while (at < runs.size()) {
+        const unsigned char count = next(), what = next();
+        if (count > 0) {
+            for (std::size_t i = 0; i < count; ++i) rows.put(nibbles ? half(what, i) : what);
+        } else if (what == kEndOfLine) {
+            rows.end_line();
+        } else if (what == kEnd) {
+            return;
+        } else if (what == kJump) {
+            const std::size_t right = next(), on = next();
+            rows.jump(right, on);
+        } else {  // so many pixels as they are, in a whole number of two bytes
+            const std::size_t bytes = nibbles ? (what + std::size_t{1}) / 2 : what;
+            for (std::size_t i = 0; i < bytes; ++i) {
+                const unsigned char byte = next();
+                if (!nibbles) rows.put(byte);
+                for (std::size_t k = 0; nibbles && k < 2 && 2 * i + k < what; ++k) rows.put(half(byte, k));
+            }
+            if (bytes % 2 != 0) next();
+        }
+    }
+    if (!rows.complete()) fail();
+}
+
+// The same picture as a BMP file of 8 bits a pixel without runs. Nothing: it has none. Throws DecodeError if
+// it ends before its last row does, or goes on after it.
+std::optional<std::vector<unsigned char>> bmp_without_runs(int file) {
+    std::array<unsigned char, kHeader> header{};
+    if (::pread(file, header.data(), header.size(), 0) != static_cast<ssize_t>(header.size()) ||
+        number_at(header, kHeaderSize) < kHeader - kHeaderSize)
+        return std::nullopt;
+    const std::uint32_t compression = number_at(header, kCompression);
+    if (compression != kRuns8 && compression != kRuns4) return std::nullopt;
+    const Bytes bytes = whole(file);
+    const std::size_t begin = number_at(header, kBegin);
+    const std::int64_t width = static_cast<std::int32_t>(number_at(header, kWidth)),
+                       height = static_cast<std::int32_t>(number_at(header, kHeight));
+    if (begin < kHeader || begin > bytes.size() || width <= 0 || height == 0) fail();
+    Rows rows(static_cast<std::size_t>(width), static_cast<std::size_t>(std::abs(height)));
+    read_runs(std::span(bytes).subspan(begin), compression == kRuns4, rows);
+
+    Bytes plain(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(begin));
+    plain[kBits] = 8;
+    put_number(plain, kCompression, 0);
+    put_number(plain, kSize, static_cast<std::uint32_t>(rows.pixels().size()));
+    if (compression == kRuns4 && number_at(plain, kColours) == 0) put_number(plain, kColours, 16);
+    plain.insert(plain.end(), rows.pixels().begin(), rows.pixels().end());
+    return plain;
+}
 
 constexpr int kBandRows = 64;
 constexpr const char* kWholeOnly = "is read as a whole only";

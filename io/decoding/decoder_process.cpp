@@ -1,15 +1,17 @@
 #include "io/decoding/decoder_process.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <spawn.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
-
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <optional>
 #include <string>
@@ -18,16 +20,187 @@
 #include <utility>
 #include <vector>
 
+#include "io/decoding/decoded_image.h"
 #include "io/decoding/decoder_sandbox.h"
 #include "io/decoding/image_pipe.h"
-#include "io/decoding/kept_input.h"
-#include "io/decoding/tiff_page.h"
+#include "io/decoding/picture_format.h"
 #include "io/descriptor.h"
+#include "io/signals.h"
 
 extern char** environ;
 
 namespace dapple {
+
 namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kLookAgain = 50;  // milliseconds: so soon is seen that it is to stop
+
+std::string system_words(int error) {
+    return std::generic_category().message(error);
+}
+
+// 0 at the end.
+std::size_t read_some(int from, std::vector<char>& buffer, const std::stop_token& stop) {
+    for (;;) {
+        // A pipe that nobody writes to yet is neither readable nor at its end.
+        pollfd waiting{.fd = from, .events = POLLIN, .revents = 0};
+        const int ready = ::poll(&waiting, 1, stop.stop_possible() ? kLookAgain : -1);
+        if (stop.stop_requested()) throw DecodeError("was not read to its end: it was stopped");
+        if (ready == 0) continue;
+        const ssize_t got = ::read(from, buffer.data(), buffer.size());
+        if (got >= 0) return static_cast<std::size_t>(got);
+        if (errno != EINTR && errno != EAGAIN) throw DecodeError("cannot be read: " + system_words(errno));
+    }
+}
+
+void write_all(int to, const char* bytes, std::size_t size) {
+    while (size > 0) {
+        const ssize_t written = ::write(to, bytes, size);
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) throw DecodeError("cannot be kept while it is read: " + system_words(errno));
+        bytes += written;
+        size -= static_cast<std::size_t>(written);
+    }
+}
+
+// Whether a picture of that format, as far as it is there, has come to its end. `chunk`: of a PNG, where its
+// next piece begins, which moves on.
+bool is_whole(PictureFormat format, int file, std::uint64_t size, std::uint64_t& chunk) {
+    constexpr std::uint64_t kHead = 8, kChecksum = 4, kNowhere = std::uint64_t{1} << 62;
+    std::array<unsigned char, kHead> head{};
+    const auto read = [&](std::uint64_t at) {
+        return at + kHead <= size && ::pread(file, head.data(), kHead, static_cast<off_t>(at)) == kHead;
+    };
+    if (format == PictureFormat::webp)
+        return read(0) && size >= kHead + (std::uint64_t{head[7]} << 24 | std::uint64_t{head[6]} << 16 |
+                                           std::uint64_t{head[5]} << 8 | head[4]);
+    if (format != PictureFormat::png) return false;
+    while (read(chunk)) {
+        const std::uint64_t next = chunk + kHead + kChecksum +
+                                   (std::uint64_t{head[0]} << 24 | std::uint64_t{head[1]} << 16 |
+                                    std::uint64_t{head[2]} << 8 | head[3]);
+        const std::string_view name(reinterpret_cast<const char*>(head.data()) + 4, 4);
+        if (name == "IEND") return size >= next;
+        chunk = name.front() == 0 ? kNowhere : next;
+    }
+    return false;
+}
+
+}  // namespace
+
+void keep_input(int from, int to, std::uint64_t most, const std::stop_token& stop) {
+    const WriteErrorsInsteadOfSignals said;
+    std::vector<char> buffer(std::size_t{1} << 18);
+    std::vector<unsigned char> beginning;
+    std::optional<PictureFormat> format;
+    std::uint64_t kept = 0, chunk = 8;
+    while (const std::size_t size = read_some(from, buffer, stop)) {
+        if (!format) {
+            beginning.insert(beginning.end(), buffer.begin(), buffer.begin() + static_cast<long>(size));
+            if (beginning.size() >= kFormatBytes) format = format_or_refusal(beginning);
+        }
+        if ((kept += size) > most)
+            throw DecodeError("is longer than " + std::to_string(most / 1'000'000) +
+                              " megabytes, the most that is read from a pipe; save it as a file first");
+        write_all(to, buffer.data(), size);
+        if (format && is_whole(*format, to, kept, chunk)) return;
+    }
+}
+
+Descriptor kept_input(int from, const std::stop_token& stop) {
+    std::string name = (temporary_folder() / "dapple-XXXXXX").native();
+    Descriptor file(::mkostemp(name.data(), O_CLOEXEC));
+    if (!file) throw DecodeError("cannot be kept while it is read: " + system_words(errno));
+    ::unlink(name.c_str());
+    keep_input(from, file.get(), kMostKeptBytes, stop);
+    return file;
+}
+
+fs::path temporary_folder() {
+    std::error_code error;
+    fs::path folder = fs::temp_directory_path(error);
+    return error ? fs::path("/tmp") : folder;
+}
+
+namespace {
+
+// What the first page of a TIFF file says of itself, read without a library.
+
+class TiffPage {
+ public:
+    /// The page of an open file, whose descriptor keeps its place. For a file that is no TIFF, or is broken,
+    /// it says something, but harms nobody.
+    explicit TiffPage(int file);
+
+    /// The first of the numbers, or the place of them, that an entry has. Nothing: there is no such entry.
+    std::optional<std::uint64_t> entry(std::uint64_t tag) const;
+
+    /// Whether the page after it is there.
+    bool is_followed() const;
+
+ private:
+    std::uint64_t number_at(std::uint64_t at, int bytes) const;
+
+    int file_;
+    bool big_endian_ = false;
+    // In files over 4 gigabytes, all of these are longer.
+    int place_bytes_ = 4, entry_bytes_ = 12;
+    std::uint64_t first_ = 0, entries_ = 0;
+};
+
+TiffPage::TiffPage(int file) : file_(file) {
+    constexpr std::uint64_t kBigTiff = 43;
+    big_endian_ = number_at(0, 1) == 'M';
+    const bool big = number_at(2, 2) == kBigTiff;
+    if (big) {
+        place_bytes_ = 8;
+        entry_bytes_ = 20;
+    }
+    const int count_bytes = big ? 8 : 2;
+    const std::uint64_t page = number_at(big ? 8 : 4, place_bytes_);
+    entries_ = number_at(page, count_bytes) & 0xffff;
+    first_ = page + static_cast<std::uint64_t>(count_bytes);
+}
+
+// Some bytes of the file as a whole number; 0 where it ends before.
+std::uint64_t TiffPage::number_at(std::uint64_t at, int bytes) const {
+    std::array<unsigned char, 8> read{};
+    if (at > INT64_MAX ||
+        ::pread(file_, read.data(), static_cast<std::size_t>(bytes), static_cast<off_t>(at)) != bytes)
+        return 0;
+    std::uint64_t number = 0;
+    for (int i = 0; i < bytes; ++i)
+        number = number << 8 | read[static_cast<std::size_t>(big_endian_ ? i : bytes - 1 - i)];
+    return number;
+}
+
+std::optional<std::uint64_t> TiffPage::entry(std::uint64_t tag) const {
+    constexpr std::uint64_t kByte = 1, kShort = 3;
+    for (std::uint64_t i = 0; i < entries_; ++i) {
+        const std::uint64_t at = first_ + i * static_cast<std::uint64_t>(entry_bytes_);
+        if (number_at(at, 2) != tag) continue;
+        const std::uint64_t type = number_at(at + 2, 2);
+        const int bytes = type == kByte ? 1 : type == kShort ? 2 : 4;
+        return number_at(at + 4 + static_cast<std::uint64_t>(place_bytes_), bytes);
+    }
+    return std::nullopt;
+}
+
+bool TiffPage::is_followed() const {
+    return number_at(first_ + entries_ * static_cast<std::uint64_t>(entry_bytes_), place_bytes_) != 0;
+}
+
+// Whether a TIFF is a camera's raw file: the page with the sensor's values is the first one, or lies behind
+// a small picture of it.
+bool is_camera_raw(const TiffPage& page) {
+    constexpr std::uint64_t kSubfileType = 254, kPhotometric = 262, kPagesWithin = 330, kDngVersion = 50706;
+    constexpr std::uint64_t kReduced = 1, kColourFilters = 32803, kLinearRaw = 34892;
+    const std::uint64_t photometric = page.entry(kPhotometric).value_or(0);
+    return page.entry(kDngVersion) || photometric == kColourFilters || photometric == kLinearRaw ||
+           ((page.entry(kSubfileType).value_or(0) & kReduced) != 0 && page.entry(kPagesWithin));
+}
 
 namespace fs = std::filesystem;
 
@@ -200,10 +373,6 @@ class Process {
     throw DecodeError("cannot be read: its decoder ended without a word (exit " +
                       std::to_string(WEXITSTATUS(status)) + ")");
 }
-
-}  // namespace
-
-namespace {
 
 fs::path decoder_named(const char* name) {
 #if defined(DAPPLE_LINUX)

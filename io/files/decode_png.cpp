@@ -8,7 +8,6 @@
 
 #include "core/image/tone.h"
 #include "io/files/picture.h"
-#include "io/files/picture_builder.h"
 
 namespace dapple {
 

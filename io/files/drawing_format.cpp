@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "io/files/file_ending.h"
+#include "io/files/text_file.h"
 
 namespace dapple {
 

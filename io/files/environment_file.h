@@ -3,12 +3,19 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <ostream>
 #include <stop_token>
 #include <string>
 
 #include "core/image/environment.h"
+#include "core/image/grid.h"
 
 namespace dapple {
+
+// OpenEXR into a stream: a grid of floats.
+
+/// The channel Y, which is grey. Not compressed.
+void write_exr(std::ostream& out, const Grid<float>& values);
 
 struct EnvironmentFile {
     EnvironmentMap map;

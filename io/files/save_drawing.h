@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/drawing/drawing.h"
+#include "core/drawing/drawing_file.h"
 #include "core/output/progress.h"
 #include "io/files/drawing_format.h"
 
@@ -46,5 +47,12 @@ bool save_ordered(const std::filesystem::path& path, const DrawingSettings& sett
 /// The same of dots in any order: they are put in order_of() first.
 bool save_drawing(const std::filesystem::path& path, const DrawingSettings& settings,
                   const DrawingToSave& drawing, const SavingWatch& watch = {});
+
+// A page into its file, or its sheets into theirs.
+
+/// Writes the page or the region of it that is chosen, or its sheets and their plan: see files_of() in
+/// sheet_files.h. False if stopped: sheets that were written before then stay. Throws what save_drawing()
+/// throws, or if the sheets' overlap is too wide or the region does not lie on the page.
+bool save_page(const PlannedDrawing& drawing, const DrawingFile& file, const SavingWatch& watch);
 
 }  // namespace dapple

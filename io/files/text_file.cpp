@@ -1,9 +1,9 @@
 #include "io/files/text_file.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
 
+#include <fcntl.h>
+#include <sys/stat.h>
 #include <array>
 #include <cerrno>
 #include <stdexcept>
@@ -13,6 +13,17 @@
 #include "io/descriptor.h"
 
 namespace dapple {
+
+std::string lower_case(std::string text) {
+    for (char& c : text)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return text;
+}
+
+std::string ending_of(const std::filesystem::path& file) {
+    return lower_case(file.extension().string());
+}
+
 namespace {
 
 std::string in_large_units(std::uintmax_t bytes) {

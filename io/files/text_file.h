@@ -7,6 +7,14 @@
 
 namespace dapple {
 
+// What the end of a file's name says, however it is written.
+
+/// ASCII letters only; others stay.
+std::string lower_case(std::string text);
+
+/// ".svg" of "CAT.SVG"; empty if there is none.
+std::string ending_of(const std::filesystem::path& file);
+
 /// What is expected of a file.
 struct TextKind {
     const char* what = "table";  // "a tile": in "..., as no tile is"

@@ -7,7 +7,6 @@
 #include <stdexcept>
 
 #include "core/text/shown_text.h"
-#include "io/files/file_ending.h"
 #include "io/files/text_file.h"
 
 namespace dapple {

@@ -2,8 +2,204 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "core/drawing/page_pixels.h"
+#include "core/output/sheet.h"
+#include "io/film/plot_film.h"
 
 namespace dapple {
+
+namespace {
+
+// The page, which lies still through a film.
+struct Stage {
+    DrawingSettings settings;
+    DrawingPlan plan;  // of the whole drawing
+    double scale = 0;
+    Excerpt page;
+    double dpi = 0;
+
+    DrawingToSave drawing(const DotStream& dots, double radius) const {
+        return {.dots = dots,
+                .page = page.size,
+                .dot_radius_mm = radius * page.size.mm_per_page_unit,
+                .saving = {.dpi = dpi}};
+    }
+};
+
+Stage stage_of(Pipeline& pipeline, const DrawingSettings& settings, const FilmChoice& choice) {
+    Stage stage;
+    stage.settings = film_settings(settings, choice.kind);
+    DrawingRequest request = stage.settings;
+    request.placing.thresholds = choice.kind == FilmKind::levels ||
+                                 (choice.kind == FilmKind::plot && choice.order == DotOrder::priority);
+    stage.plan = pipeline.plan(request, kMostFilmDots);
+    if (stage.plan.density->mean() == 0)
+        throw std::runtime_error("there is nothing to film: all of the picture is as light as the paper");
+    stage.scale = pipeline.find_scale(stage.plan);
+    const PageLayout layout = stage.plan.layout(stage.scale);
+    stage.page = sheet_of(layout.page, {}, layout.picture.low);
+    stage.dpi = dpi_for(layout.page, choice.longer_side);
+    return stage;
+}
+
+// The first dots of the whole drawing's density, so that each stays where it is; once all are there, they
+// settle.
+Grid<glm::u8vec3> grown(Pipeline& pipeline, const Stage& stage, double share, std::uint64_t all) {
+    const std::uint64_t dots = grown_dots(share, all);
+    DrawingPlan plan = stage.plan;
+    plan.steps = settling_steps(share, plan.steps);
+    if (dots < all) {
+        plan.placing.count = dots;
+        plan.placing.cut.reset();
+    }
+    const DotStream stream = pipeline.stream(plan, stage.page.part);
+    return page_pixels(stage.settings, stage.drawing(stream, plan.radius(stream.scale)));
+}
+
+// All dots, and a pen for each level.
+struct Levels {
+    DotPieces dots;  // one piece a level
+    Palette pens;
+};
+
+Levels levels_of(const DotStream& dots, std::size_t tile_size) {
+    Levels levels;
+    dots.for_each_piece([&](const Dots& piece) {
+        for (std::size_t i = 0; i < piece.size(); ++i) {
+            const int level = tile_rank_of(piece.threshold[i], tile_size).level;
+            while (static_cast<int>(levels.pens.size()) <= level) {
+                const int next = static_cast<int>(levels.pens.size());
+                levels.pens.push_back({.name = "level", .colour = level_colour(next), .ink = PenInk::opaque});
+                levels.dots.pieces.emplace_back().pen = next;
+            }
+            Dots& own = levels.dots.pieces[static_cast<std::size_t>(level)];
+            own.x.push_back(piece.x[i]);
+            own.y.push_back(piece.y[i]);
+        }
+        return true;
+    });
+    return levels;
+}
+
+FilmFrame film_of_levels(Pipeline& pipeline, Stage stage) {
+    const DotStream stream = pipeline.stream(stage.plan, stage.page.part);
+    auto levels = std::make_shared<Levels>(levels_of(stream, pipeline.tile().tile().size()));
+    return [levels, stage = std::move(stage)](double share) {
+        const int shown = level_shown(share, static_cast<int>(levels->pens.size()) - 1);
+        DotPieces dots;
+        for (int level = 0; level <= shown; ++level)
+            dots.pieces.push_back(levels->dots.pieces[static_cast<std::size_t>(level)]);
+        DrawingToSave drawing = stage.drawing(stream_of(dots), stage.plan.radius(stage.scale));
+        drawing.pens = levels->pens;
+        return page_pixels(stage.settings, drawing);
+    };
+}
+
+// Dots come in as growing ones, so that none springs up.
+constexpr double kComesIn = 1.07;
+
+// What lies in the middle of the page, so many times as large, with as many times squared more dots.
+Grid<glm::u8vec3> zoomed(Pipeline& pipeline, const Stage& stage, double zoom) {
+    const double unit = stage.page.size.mm_per_page_unit;
+    const glm::dvec2 page(stage.page.size.width_mm / unit, stage.page.size.height_mm / unit);
+    const glm::dvec2 corner(stage.page.part.across.offset, stage.page.part.down.offset);
+    // In page units from the picture's corner, and what of it the picture is.
+    const glm::dvec2 low = corner + page * (0.5 - 0.5 / zoom), high = low + page / zoom;
+    const glm::dvec2 first = glm::clamp(low, 0.0, 1.0), last = glm::clamp(high, 0.0, 1.0);
+    DotPieces dots;
+    const double radius = stage.plan.radius(stage.scale), scale = stage.scale * zoom * zoom * kComesIn;
+    if (last.x > first.x && last.y > first.y) {
+        const PageWindow window{std::llround(first.x * 0x1p62), std::llround(first.y * 0x1p62),
+                                last.x - first.x, last.y - first.y};
+        pipeline.tile().placer().place(
+            *stage.plan.density, {.scale = scale, .threads = 0, .thresholds = true, .window = window}, dots);
+    }
+    const glm::dvec2 moved = first - low;
+    for (Dots& piece : dots.pieces) {
+        piece.radius.resize(piece.size());
+        for (std::size_t i = 0; i < piece.size(); ++i) {
+            piece.x[i] = static_cast<float>((piece.x[i] + moved.x) * zoom);
+            piece.y[i] = static_cast<float>((piece.y[i] + moved.y) * zoom);
+            const double there = (scale - piece.critical[i]) / (scale * (1 - 1 / kComesIn));
+            piece.radius[i] = static_cast<float>(radius * std::clamp(there, 0.0, 1.0));
+        }
+    }
+    return page_pixels(stage.settings, stage.drawing(stream_of(dots), radius));
+}
+
+FilmFrame film_of_plot(Pipeline& pipeline, Stage stage, const FilmChoice& choice, const RoutingWatch& watch) {
+    const DotStream stream = pipeline.stream(stage.plan, stage.page.part);
+    const DotOrder order =
+        choice.order.value_or(usual_order(DrawingFormat::svg, stream.count, stage.settings.style));
+    const DotPieces sorted = sorted_by_pen(stream, order, watch);
+    if (watch.stop.stop_requested()) return {};
+    DrawingToSave drawing = stage.drawing(stream_of(sorted), stage.plan.radius(stage.scale));
+    drawing.pens = stage.plan.pens;
+    const MachineProgram program = program_of(choice.machine);
+    PlotFilm film;
+    if (const auto strokes = strokes_of(stage.settings, drawing, DrawingFormat::png))
+        film = plot_film(collected(*strokes), program);
+    else
+        film = plot_film(sorted, stage.page.size.mm_per_page_unit, program);
+    const auto plot = std::make_shared<const PlotFilm>(std::move(film));
+    return [plot, stage = std::move(stage)](double share) {
+        const std::size_t drawn = plot->drawn_after(plotted_seconds(share, plot->total_seconds));
+        if (!plot->strokes.points.empty()) {
+            const Strokes strokes = first_points(plot->strokes, drawn);
+            StrokeStream drawn_strokes = stream_of(strokes, stage.settings.pen_width_mm);
+            drawn_strokes.widths_mm = stroke_widths(stage.settings.pens, stage.settings.pen_width_mm,
+                                                    stage.plan.pens, pen_use(stage.settings));
+            return page_pixels(stage.settings, drawn_strokes, stage.plan.pens, stage.page.size, stage.dpi);
+        }
+        const DotPieces dots = first_dots(plot->dots, drawn);
+        DrawingToSave now = stage.drawing(stream_of(dots), stage.plan.radius(stage.scale));
+        now.pens = stage.plan.pens;
+        return page_pixels(stage.settings, now);
+    };
+}
+
+}  // namespace
+
+DrawingSettings film_settings(DrawingSettings settings, FilmKind kind) {
+    if (kind == FilmKind::plot) return settings;
+    if (settings.dot_size.sizing == DotSizing::by_tone) settings.dot_size.sizing = DotSizing::automatic;
+    settings.placer = PlacerKind::exact;
+    if (kind != FilmKind::growth) {
+        settings.relax = 0;
+        settings.mask = settings.mask.without_finer();  // all dots are alike
+    }
+    settings.pens = {};
+    settings.style = DrawingStyle::dots;
+    settings.mark = {};
+    return settings;
+}
+
+FilmFrame film_frames(Pipeline& pipeline, const DrawingSettings& settings, const FilmChoice& choice,
+                      const RoutingWatch& watch) {
+    Stage stage = stage_of(pipeline, settings, choice);
+    switch (choice.kind) {
+        case FilmKind::levels:
+            return film_of_levels(pipeline, std::move(stage));
+        case FilmKind::plot:
+            return film_of_plot(pipeline, std::move(stage), choice, watch);
+        case FilmKind::zoom:
+            return [&pipeline, stage = std::move(stage), depth = choice.depth](double share) {
+                return zoomed(pipeline, stage, film_zoom(share, depth));
+            };
+        case FilmKind::growth:
+            break;
+    }
+    const std::uint64_t all = pipeline.stream(stage.plan).count;
+    return [&pipeline, stage = std::move(stage), all](double share) {
+        return grown(pipeline, stage, share, all);
+    };
+}
+
 namespace {
 
 constexpr double kFirstDots = 30;  // before that there is little to see

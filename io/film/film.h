@@ -2,11 +2,17 @@
 // Films of a drawing: what is to be seen at each moment. The window plays them, `dapple record` writes them.
 
 #include <cstdint>
+#include <functional>
+#include <glm/gtc/type_precision.hpp>
 #include <optional>
 #include <string_view>
 
+#include "core/drawing/pipeline.h"
+#include "core/drawing/settings.h"
+#include "core/image/grid.h"
 #include "core/output/plotting_time.h"
 #include "core/placing/dot_order.h"
+#include "core/routing/short_way.h"
 #include "core/text/names.h"
 
 namespace dapple {
@@ -56,5 +62,21 @@ inline constexpr std::uint64_t kMostFilmDots = 2'000'000;
 
 /// At least one.
 int frames_of(const FilmChoice& choice);
+
+// The pictures that a film is made of.
+
+/// How a film changes what is drawn: growth, levels and zoom are the placer's own, so they show dots as
+/// placed, round and in one ink, and at most kMostFilmDots of them; those of growth then settle, so that it
+/// ends with the drawing. A plot is the drawing as it is saved.
+DrawingSettings film_settings(DrawingSettings settings, FilmKind kind);
+
+/// Draws a film's picture at a share of it, 0..1; all are as large.
+using FilmFrame = std::function<Grid<glm::u8vec3>(double share)>;
+
+/// A film of the drawing that those settings make. The pipeline needs its picture and tile, and has to
+/// outlive the result. What is slow to find (a plotter's way) is found now; if stopped, the result is empty.
+/// Throws as Pipeline::plan() does, and std::runtime_error if there is nothing to draw.
+FilmFrame film_frames(Pipeline& pipeline, const DrawingSettings& settings, const FilmChoice& choice,
+                      const RoutingWatch& watch = {});
 
 }  // namespace dapple

@@ -2,12 +2,34 @@
 // A film into a file.
 
 #include <filesystem>
+#include <glm/gtc/type_precision.hpp>
+#include <memory>
+#include <ostream>
 #include <vector>
 
+#include "core/image/grid.h"
 #include "io/files/save_drawing.h"
-#include "io/film/film_frames.h"
+#include "io/film/film.h"
 
 namespace dapple {
+
+// Moving pictures as an animated WebP, pixel for pixel.
+
+class WebpFilm {
+ public:
+    /// It is played over and over.
+    explicit WebpFilm(int frames_per_second);
+    ~WebpFilm();
+
+    /// sRGB-encoded; all as large, up to 16,383 pixels a side. Throws std::runtime_error if libwebp fails.
+    void add(const Grid<glm::u8vec3>& frame);
+    /// All of them. Needs one at least. Throws std::runtime_error if libwebp fails, and what the stream does.
+    void write(std::ostream& out);
+
+ private:
+    struct Encoder;
+    std::unique_ptr<Encoder> encoder_;
+};
 
 /// "Animation.webp" is one file, which web browsers play, over and over; "frames/", which ends in a slash or
 /// is there, a folder of numbered PNG files for a program that makes films of them: frame-0001.png, ...

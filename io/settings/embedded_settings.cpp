@@ -9,7 +9,6 @@
 #include "core/output/svg.h"
 #include "core/settings/drawing_fields.h"
 #include "core/text/shown_text.h"
-#include "io/files/file_ending.h"
 #include "io/files/png_file.h"
 #include "io/files/text_file.h"
 #include "io/settings/project.h"

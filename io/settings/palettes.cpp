@@ -4,16 +4,141 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <initializer_list>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <string>
 
 #include "core/text/shown_text.h"
+#include "io/files/text_file.h"
 #include "io/settings/named_files.h"
-#include "io/settings/pen_file.h"
 #include "io/settings/xdg_folders.h"
 
 namespace dapple {
+
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::array kFields{"name", "colour", "width_mm", "gap_mm", "gain_mm"};
+
+std::runtime_error wrong(const std::string& field, const std::string& why) {
+    return std::runtime_error(fmt::format("{}: {}", field, why));
+}
+
+std::string shown(const Json& value) {
+    return shortened(printable(value.dump(-1, ' ', false, Json::error_handler_t::replace)));
+}
+
+std::string text_in(const Json& object, const char* field, const char* example) {
+    if (!object.contains(field)) throw wrong(field, fmt::format("is missing; give one, such as {}", example));
+    if (!object[field].is_string())
+        throw wrong(field, fmt::format("{} is no text; give one, such as {}", shown(object[field]), example));
+    return object[field].get<std::string>();
+}
+
+// 0 where it is not there.
+double length_in(const Json& object, const char* field, double most) {
+    if (!object.contains(field)) return 0;
+    const Json& value = object[field];
+    const double length = value.is_number() ? value.get<double>() : -1;
+    if (!std::isfinite(length) || length < 0 || length > most)
+        throw wrong(field, fmt::format("{} is not possible; give millimetres, a number from 0 to {:g}",
+                                       shown(value), most));
+    return length;
+}
+
+Pen pen_of(const Json& object) {
+    if (!object.is_object())
+        throw std::runtime_error(
+            shown(object) +
+            R"( is no pen; write one as {"name": "Sky", "colour": "#3aa0d8", "width_mm": 0.3})");
+    for (const auto& [field, value] : object.items())
+        if (std::ranges::find(kFields, field) == kFields.end())
+            throw wrong(printable(field),
+                        "is not known; there are name, colour, width_mm, gap_mm and gain_mm");
+    Pen pen{.name = text_in(object, "name", R"("Sky")")};
+    if (!is_pen_name(pen.name))
+        throw wrong("name",
+                    fmt::format("{} is none; give up to 40 plain letters, digits, spaces and - _ . ( )",
+                                shown(object["name"])));
+    const std::string colour = text_in(object, "colour", R"("#3aa0d8")");
+    try {
+        pen.colour = parse_colour(colour);
+    } catch (const std::runtime_error& error) {
+        throw wrong("colour", error.what());
+    }
+    pen.width_mm = length_in(object, "width_mm", kWidestPenMm);
+    if (pen.width_mm > 0 && pen.width_mm < kFinestPenMm)
+        throw wrong("width_mm", fmt::format("{} is finer than any pen; give at least {:g}",
+                                            shown(object["width_mm"]), kFinestPenMm));
+    pen.gap_mm = length_in(object, "gap_mm", kWidestPenMm);
+    pen.gain_mm = length_in(object, "gain_mm", kMostGainMm);
+    for (const char* field : {"gap_mm", "gain_mm"})
+        if (pen.width_mm == 0 && object.contains(field) && object[field] != 0)
+            throw wrong(field, "applies to a pen with a width only; give width_mm too");
+    return pen;
+}
+
+Palette pens_in(const std::string& text) {
+    Json json;
+    try {
+        // What is deeper is no pen, and telling of it would need as deep a stack.
+        json = Json::parse(text, [](int depth, Json::parse_event_t, Json&) {
+            if (depth > 8) throw std::runtime_error("has brackets within brackets, deeper than pens go");
+            return true;
+        });
+    } catch (const Json::parse_error& error) {
+        throw std::runtime_error(
+            fmt::format("is no JSON from byte {} on; write an array of pens, as in "
+                        R"([{{"name": "Sky", "colour": "#3aa0d8", "width_mm": 0.3}}])",
+                        error.byte));
+    } catch (const Json::exception&) {  // a number that is none of this world
+        throw std::runtime_error("is no JSON: a number in it is too large");
+    }
+    if (!json.is_array())
+        throw std::runtime_error(
+            R"(has no array of pens; write [ and ] around {"name": "Sky", "colour": "#3aa0d8"})");
+    Palette pens;
+    for (std::size_t i = 0; i < json.size(); ++i) {
+        try {
+            pens.push_back(pen_of(json[i]));
+        } catch (const std::runtime_error& error) {
+            throw std::runtime_error(fmt::format("pen {}: {}", i + 1, error.what()));
+        }
+    }
+    return pens;
+}
+
+}  // namespace
+
+PenChoice read_pens(const std::filesystem::path& file) {
+    const std::string text = text_of_file(file, {"list of pens", 1'000'000});
+    const std::size_t first = text.find_first_not_of(" \t\r\n");
+    const bool json = first != std::string::npos && (text[first] == '[' || text[first] == '{');
+    try {
+        return json ? own_pens(pens_in(text)) : parse_pen_list(text);
+    } catch (const std::runtime_error& error) {
+        throw std::runtime_error(fmt::format("{}: {}", file.string(), error.what()));
+    }
+}
+
+std::string pens_text(const Palette& pens) {
+    std::string text;
+    for (const Pen& pen : pens) {
+        nlohmann::ordered_json json{{"name", pen.name}, {"colour", hex_of(pen.colour)}};
+        // Without a width a pen has neither.
+        if (pen.width_mm > 0) json["width_mm"] = std::max(pen.width_mm, kFinestPenMm);
+        if (pen.width_mm > 0 && pen.gap_mm > 0) json["gap_mm"] = pen.gap_mm;
+        if (pen.width_mm > 0 && pen.gain_mm > 0) json["gain_mm"] = pen.gain_mm;
+        text += (text.empty() ? "[" : ",\n ") + json.dump();
+    }
+    return text + "]\n";
+}
+
 namespace {
 
 namespace fs = std::filesystem;

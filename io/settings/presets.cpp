@@ -8,7 +8,7 @@
 #include "core/settings/drawing_fields.h"
 #include "core/settings/settings_text.h"
 #include "core/text/shown_text.h"
-#include "io/files/file_ending.h"
+#include "io/files/text_file.h"
 #include "io/settings/named_files.h"
 #include "io/settings/project.h"
 #include "io/settings/xdg_folders.h"

@@ -1,7 +1,6 @@
 #include "io/settings/project.h"
 
 #include "io/files/atomic_file.h"
-#include "io/files/file_ending.h"
 #include "io/files/text_file.h"
 
 namespace dapple {

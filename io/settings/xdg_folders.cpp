@@ -1,8 +1,20 @@
 #include "io/settings/xdg_folders.h"
 
 #include <cstdlib>
+#include <system_error>
 
 namespace dapple {
+
+namespace fs = std::filesystem;
+
+fs::path working_folder() {
+    std::error_code gone;
+    fs::path folder = fs::current_path(gone);
+    if (!gone) return folder;
+    folder = home_folder();
+    return folder.empty() ? fs::path("/") : folder;
+}
+
 namespace {
 
 namespace fs = std::filesystem;

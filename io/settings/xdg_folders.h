@@ -5,6 +5,11 @@
 
 namespace dapple {
 
+// The folder that the program works in, which somebody may have removed meanwhile.
+
+/// Where that folder is gone, the home folder, or the root if there is no home. Does not throw.
+std::filesystem::path working_folder();
+
 /// $XDG_CONFIG_HOME/dapple, or ~/.config/dapple: what a person chose and may copy to another computer.
 /// Empty, as all of these, if there is neither that variable nor a home. Nothing is made.
 std::filesystem::path config_folder();

@@ -15,7 +15,7 @@
 #include "io/command_line/options.h"
 #include "io/files/atomic_file.h"
 #include "io/files/drawing_format.h"
-#include "io/files/file_ending.h"
+#include "io/files/text_file.h"
 #include "io/settings/project.h"
 #include "lab/analysis/report_json.h"
 #include "lab/analysis/report_page.h"

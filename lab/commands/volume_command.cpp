@@ -10,7 +10,7 @@
 #include "io/command_line/options.h"
 #include "io/command_line/remarks.h"
 #include "io/files/atomic_file.h"
-#include "io/files/file_ending.h"
+#include "io/files/text_file.h"
 #include "io/film/save_film.h"
 #include "io/progress_line.h"
 #include "lab/volume/resample_cloud.h"

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "core/text/shown_text.h"
-#include "io/command_line/wrapped_help.h"
+#include "io/command_line/program.h"
 #include "lab/commands/tile_enumeration.h"
 #include "lab/commands/tile_search.h"
 #include "lab/mpi/islands.h"

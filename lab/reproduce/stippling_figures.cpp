@@ -8,7 +8,7 @@
 #include "core/output/raster.h"
 #include "core/text/length.h"
 #include "core/text/shown_text.h"
-#include "io/files/sample.h"
+#include "io/files/picture.h"
 #include "io/files/tile_library.h"
 #include "lab/analysis/report_page.h"
 #include "lab/reproduce/figure8_dots.h"

@@ -15,7 +15,6 @@
 #include "core/placing/page_density.h"
 #include "core/placing/stipple.h"
 #include "io/files/picture.h"
-#include "io/files/sample.h"
 #include "io/files/tile_library.h"
 
 using namespace dapple;

@@ -12,7 +12,6 @@
 #include "core/drawing/pipeline.h"
 #include "core/drawing/settings.h"
 #include "io/files/picture.h"
-#include "io/files/sample.h"
 #include "io/files/tile_library.h"
 
 using namespace dapple;

@@ -36,7 +36,6 @@
 #include "core/placing/page_density.h"
 #include "core/text/shown_text.h"
 #include "io/files/picture.h"
-#include "io/files/sample.h"
 #include "io/files/tile_library.h"
 #include "lab/compare/picture_marks.h"
 #include "lab/related/plain_lloyd.h"

@@ -21,7 +21,7 @@
 #include "core/image/tone.h"
 #include "core/placing/stipple.h"
 #include "io/files/atomic_file.h"
-#include "io/files/sample.h"
+#include "io/files/picture.h"
 #include "io/files/tile_library.h"
 #include "io/reports/plot.h"
 

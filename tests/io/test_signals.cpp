@@ -11,7 +11,6 @@
 #include <thread>
 
 #include "io/files/atomic_file.h"
-#include "io/files/part_file.h"
 #include "io/signals.h"
 #include "tests/file_text.h"
 #include "tests/temporary_folder.h"

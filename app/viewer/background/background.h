@@ -20,9 +20,15 @@
 #include <thread>
 #include <utility>
 
-#include "app/viewer/background/background_priority.h"
-
 namespace dapple {
+
+// The window's thread goes first: what works in the background has a lower priority, so that a window on a
+// busy machine still answers. Linux alone tells threads apart in this; elsewhere nothing changes.
+
+/// Does `work` in the thread that calls, which works in the background: lowers its priority for good, and
+/// meanwhile that of the threads that oneTBB sends to help it. (Those that are started then have it from the
+/// beginning.)
+void behind_window(const std::function<void()>& work);
 
 template <class Result>
 class Background {

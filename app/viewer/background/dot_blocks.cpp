@@ -1,10 +1,163 @@
 #include "app/viewer/background/dot_blocks.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
 #include <numeric>
 #include <span>
+#include <utility>
+#include <vector>
+
+#include "core/image/colour.h"
 
 namespace dapple {
+
+namespace {
+
+constexpr int kDeepest = 62;  // a page coordinate's binary digits
+constexpr int kMostLevels = 64;
+
+glm::u8vec4 opaque(glm::vec3 colour) {
+    return {glm::u8vec3(glm::round(glm::clamp(colour, 0.0f, 1.0f) * 255.0f)), 255};
+}
+
+double rank_share(const TileRank& at, std::size_t tile_size) {
+    const auto n = static_cast<double>(tile_size);
+    const double share = at.level == 0 ? at.rank / n : (at.rank - n) / (3 * n);
+    return std::clamp(share, 0.0, 1.0);
+}
+
+// A million dots in some milliseconds.
+template <class Colour>
+void colour_each(std::span<glm::u8vec4> colours, const DotPieces& dots, const Colour& colour) {
+    std::size_t first = 0;
+    for (const Dots& piece : dots.pieces) {
+        const auto of_piece = colours.subspan(first, piece.size());
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, piece.size(), 1 << 14),
+                          [&](const tbb::blocked_range<std::size_t>& part) {
+                              for (std::size_t i = part.begin(); i < part.end(); ++i)
+                                  colour(of_piece[i], piece, i);
+                          });
+        first += piece.size();
+    }
+}
+
+struct Placed {
+    Orientation orientation;
+    std::size_t kind = 0;
+};
+
+/// Finds the orientation and kind of the tile of a level that a point lies in, by walking down to it. Points
+/// are in 2^-62 page units from a root tile's corner; all root tiles are alike.
+class TileWalk {
+ public:
+    TileWalk(const Rule& rule, const NextKinds& next_kind) : next_kind_(next_kind) {
+        for (const Orientation tile : all_orientations())
+            for (int q = 0; q < 4; ++q)
+                next_[tile.index][apply_to_quadrant(tile, q)] = {compose(tile, rule.child[q]),
+                                                                 static_cast<std::size_t>(q)};
+    }
+
+    Placed at(std::int64_t x, std::int64_t y, int level) const {
+        Placed tile;
+        for (int depth = 1; depth <= std::min(level, kDeepest); ++depth) {
+            const int quadrant = static_cast<int>((x >> (kDeepest - depth)) & 1) +
+                                 2 * static_cast<int>((y >> (kDeepest - depth)) & 1);
+            const auto& [orientation, own_quadrant] = next_[tile.orientation.index][quadrant];
+            tile = {orientation, next_kind_[tile.kind][own_quadrant]};
+        }
+        return tile;
+    }
+
+ private:
+    // By the tile's orientation and a quadrant of the page: the child's orientation, and which of its
+    // parent's quadrants it is.
+    std::array<std::array<std::pair<Orientation, std::size_t>, 4>, 8> next_;
+    const NextKinds& next_kind_;
+};
+
+}  // namespace
+
+bool needs_thresholds(const DotColourChoice& choice) {
+    return choice.colouring != DotColouring::ink || choice.deepest_level < kDeepestStep;
+}
+
+std::vector<glm::u8vec4> without_deeper_levels(std::vector<glm::u8vec4> colours, const DotPieces& dots,
+                                               std::size_t tile_size, int deepest, glm::vec3 ink) {
+    if (deepest >= kDeepestStep) return colours;
+    if (colours.empty()) colours.assign(dots.size(), opaque(ink));
+    colour_each(colours, dots, [&](glm::u8vec4& colour, const Dots& piece, std::size_t i) {
+        if (tile_rank_of(piece.threshold[i], tile_size).level > deepest) colour.a = 0;
+    });
+    return colours;
+}
+
+std::vector<glm::u8vec4> chosen_colours(const DotPieces& dots, const DotOrigins& origins,
+                                        const DotColourChoice& choice) {
+    return without_deeper_levels(dot_colours(dots, origins, choice.colouring), dots, origins.tile_size,
+                                 choice.deepest_level, choice.ink);
+}
+
+glm::vec3 rank_colour(double share) {
+    constexpr std::array kRamp{glm::vec3(0.09f, 0.17f, 0.40f), glm::vec3(0.13f, 0.52f, 0.58f),
+                               glm::vec3(0.85f, 0.68f, 0.36f)};
+    const auto t = static_cast<float>(2 * std::clamp(share, 0.0, 1.0));
+    const int low = t < 1 ? 0 : 1;
+    return glm::mix(kRamp[low], kRamp[low + 1], t - static_cast<float>(low));
+}
+
+glm::vec3 orientation_colour(Orientation orientation) {
+    constexpr std::array kHues{glm::vec3(0.10f, 0.28f, 0.60f), glm::vec3(0.70f, 0.15f, 0.18f),
+                               glm::vec3(0.08f, 0.45f, 0.25f), glm::vec3(0.45f, 0.20f, 0.55f)};
+    const glm::vec3 hue = kHues[orientation.index & 3];
+    return orientation.index < 4 ? hue : glm::mix(hue, glm::vec3(1), 0.45f);
+}
+
+glm::vec3 kind_colour(std::size_t kind) {
+    constexpr float kTurn = 0.618034f;  // of the circle of hues
+    const float turns = kTurn * static_cast<float>(kind), hue = 6 * (turns - std::floor(turns));
+    const auto channel = [&](float at) {
+        const float away = std::abs(std::fmod(hue - at + 9, 6.0f) - 3);
+        return 0.12f + 0.6f * std::clamp(2 - away, 0.0f, 1.0f);
+    };
+    return {channel(0), channel(2), channel(4)};
+}
+
+std::vector<glm::u8vec4> dot_colours(const DotPieces& dots, const DotOrigins& origins,
+                                     DotColouring colouring) {
+    std::vector<glm::u8vec4> colours;
+    if (colouring == DotColouring::ink) return colours;
+    colours.resize(dots.size());
+    const TileWalk walk(origins.rule, origins.next_kind);
+    const std::size_t kinds = origins.next_kind.size();
+    std::array<glm::u8vec4, kMostLevels> of_level;
+    for (int level = 0; level < kMostLevels; ++level) of_level[level] = opaque(level_colour(level));
+    std::array<glm::u8vec4, 8> of_orientation;
+    for (const Orientation g : all_orientations()) of_orientation[g.index] = opaque(orientation_colour(g));
+    std::vector<glm::u8vec4> of_kind;
+    for (std::size_t kind = 0; kind < kinds; ++kind) of_kind.push_back(opaque(kind_colour(kind)));
+    const auto in_units = [](double length) {
+        return static_cast<std::int64_t>(std::ldexp(length, kDeepest));
+    };
+    const std::int64_t left = origins.window.x - in_units(origins.tile_corner.x);
+    const std::int64_t top = origins.window.y - in_units(origins.tile_corner.y);
+    colour_each(colours, dots, [&](glm::u8vec4& colour, const Dots& piece, std::size_t i) {
+        const TileRank at = tile_rank_of(piece.threshold[i], origins.tile_size);
+        if (colouring == DotColouring::level) {
+            colour = of_level[std::min(at.level, kMostLevels - 1)];
+        } else if (colouring == DotColouring::rank) {
+            colour = opaque(rank_colour(rank_share(at, origins.tile_size)));
+        } else {
+            const Placed tile = walk.at(left + in_units(piece.x[i]), top + in_units(piece.y[i]), at.level);
+            colour = kinds > 1 ? of_kind[tile.kind] : of_orientation[tile.orientation.index];
+        }
+    });
+    return colours;
+}
 
 std::vector<DotBlock> dot_blocks(const DotPieces& dots) {
     std::vector<DotBlock> blocks;

@@ -3,12 +3,73 @@
 // all of them.
 
 #include <cstddef>
+#include <glm/gtc/type_precision.hpp>
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <vector>
 
+#include "core/image/colour.h"
 #include "core/placing/dots.h"
+#include "core/placing/placer.h"
+#include "core/text/names.h"
+#include "core/tile/tile.h"
 
 namespace dapple {
+
+// Dots in colours that show where in the subdivision they come from.
+
+enum class DotColouring { ink, level, rank, orientation };
+constexpr auto names_of(DotColouring) {
+    return names("ink", "level", "rank", "orientation");
+}
+
+/// Where stepping through the levels ends: this is all of them.
+inline constexpr int kDeepestStep = 8;
+
+struct DotColourChoice {
+    DotColouring colouring = DotColouring::ink;
+    int deepest_level = kDeepestStep;  // whose dots are shown; kDeepestStep: all
+    glm::vec3 ink = kBlack;            // sRGB-encoded 0..1; looked at if levels are left out only
+
+    bool operator==(const DotColourChoice&) const = default;
+};
+
+/// Whether that choice needs Dots::threshold.
+bool needs_thresholds(const DotColourChoice& choice);
+
+/// What the colours are looked up in: the tile that the dots were placed with, and their window.
+struct DotOrigins {
+    std::size_t tile_size = 16;  // points
+    Rule rule;                   // of a Figure 8 drawing the identity: it turns no tile
+    PageWindow window;
+    NextKinds next_kind = NextKinds(1);
+    glm::dvec2 tile_corner{0, 0};  // see Density
+};
+
+/// One colour a dot, sRGB-encoded: of the level it was born at, of its rank among the dots born there, or of
+/// the orientation of the tile it was born in, or its kind if there are several. Empty for ink: all alike. A
+/// dot within a float's rounding of its tile's edge may get the neighbour's orientation.
+std::vector<glm::u8vec4> dot_colours(const DotPieces& dots, const DotOrigins& origins,
+                                     DotColouring colouring);
+
+/// Hides the dots born at deeper levels than `deepest` by making their colours transparent; no colours become
+/// the ink's first. From kDeepestStep on nothing is hidden.
+std::vector<glm::u8vec4> without_deeper_levels(std::vector<glm::u8vec4> colours, const DotPieces& dots,
+                                               std::size_t tile_size, int deepest, glm::vec3 ink);
+
+/// Both of these, as chosen; empty: all dots in ink.
+std::vector<glm::u8vec4> chosen_colours(const DotPieces& dots, const DotOrigins& origins,
+                                        const DotColourChoice& choice);
+
+/// Dark blue for the first (0), then teal, then sand for the last (1): darkness falls along the whole ramp,
+/// so it reads without colours too.
+glm::vec3 rank_colour(double share);
+
+/// Eight hues; the four mirrored orientations are the paler ones.
+glm::vec3 orientation_colour(Orientation orientation);
+
+/// The colour of a kind, for a tile of several: hues as far apart as they can be.
+glm::vec3 kind_colour(std::size_t kind);
 
 inline constexpr std::size_t kDotsPerBlock = 4096;
 

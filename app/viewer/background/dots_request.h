@@ -4,12 +4,31 @@
 #include <optional>
 #include <string>
 
-#include "app/viewer/background/density_choice.h"
-#include "app/viewer/background/dot_colours.h"
+#include "app/viewer/background/dot_blocks.h"
 #include "app/viewer/background/shown_strokes.h"
 #include "core/drawing/settings.h"
+#include "core/image/density.h"
+#include "core/text/names.h"
 
 namespace dapple {
+
+// What the window's dots are placed on: the photograph, or a plain density that shows what the tile does.
+
+enum class DensitySource { photograph, grey, ramp };
+constexpr auto names_of(DensitySource) {
+    return names("photograph", "grey", "ramp");
+}
+
+struct DensityChoice {
+    DensitySource source = DensitySource::photograph;
+    double grey = 0.5;  // density of the grey, 0..1
+
+    bool operator==(const DensityChoice&) const = default;
+};
+
+/// The grey: a square page of one density. The ramp: twice as wide as high, from bare paper on the left to
+/// density 1 on the right. The tone has no part in either. Not for the photograph.
+Density plain_density(const DensityChoice& choice);
 
 /// What the canvas shows of the page, placed at a scale that goes with the zoom.
 struct CloseView {

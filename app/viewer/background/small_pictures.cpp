@@ -1,9 +1,48 @@
 #include "app/viewer/background/small_pictures.h"
 
+#include <algorithm>
 #include <exception>
 #include <utility>
 
+#include "app/viewer/background/with_alpha.h"
+#include "app/viewer/background/workbench.h"
+#include "core/drawing/drawing_file.h"
+#include "core/drawing/page_pixels.h"
+#include "core/image/colour.h"
+
 namespace dapple {
+
+namespace {
+
+void show_to(Workbench& bench, const SmallPicture& picture) {
+    Picture shown{.light = Grid<float>(picture.width, picture.height),
+                  .colours = ColourGrid(picture.width, picture.height)};
+    for (std::size_t i = 0; i < picture.values.size(); ++i) {
+        const glm::vec3 colour = linear_of(glm::vec3(picture.values[i]) / 255.0f);
+        shown.light.values[i] = luminance(colour);
+        shown.colours.values[i] = packed(colour);
+    }
+    bench.set_picture(std::move(shown));
+}
+
+}  // namespace
+
+SmallPicture small_drawing(const SmallPicture& picture, DrawingSettings settings, int longer_side,
+                           const std::stop_token& stop) {
+    settings.relax = std::min(settings.relax.value_or(1), 1);
+    Workbench bench;
+    show_to(bench, picture);
+    const DrawingFile file{
+        .path = {}, .format = DrawingFormat::png, .settings = settings, .saving = {}, .embedded = {}};
+    const auto placed = bench.pipeline().drawing(bench.plan(dots_request(settings)), stop);
+    if (!placed) return {};
+    DrawingToSave drawing = drawing_on(drawn_page(placed->layout()), *placed, file, stop);
+    if (settings.style == DrawingStyle::line)
+        drawing.dots = stream_of(
+            std::make_shared<const DotPieces>(sorted_by_pen(drawing.dots, DotOrder::space)), placed->scale);
+    drawing.saving.dpi = dpi_for(drawing.page, longer_side);
+    return with_alpha(page_pixels(settings, drawing));
+}
 
 void SmallPictures::take_made() {
     try {

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "app/viewer/background/background.h"
+#include "core/drawing/settings.h"
 #include "core/image/grid.h"
 
 namespace dapple {
@@ -41,5 +42,13 @@ class SmallPictures {
     std::string under_way_;  // the key of what was begun last
     Background<Made> making_;
 };
+
+// What settings make of a picture, small: the preview of a preset.
+
+/// The whole page, its longer side so many pixels. The picture is sRGB-encoded, as the window shows it, and
+/// may be a small copy. Dots are relaxed once at most, which nobody can tell at such a size. Empty if
+/// stopped. Throws as Workbench::place().
+SmallPicture small_drawing(const SmallPicture& picture, DrawingSettings settings, int longer_side,
+                           const std::stop_token& stop);
 
 }  // namespace dapple

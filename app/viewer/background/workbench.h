@@ -4,6 +4,7 @@
 // at a time uses it.
 
 #include <atomic>
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -15,13 +16,26 @@
 
 #include "app/viewer/background/background.h"
 #include "app/viewer/background/placed_drawing.h"
-#include "app/viewer/background/spare_drawings.h"
 #include "app/viewer/background/tile_view.h"
 #include "core/drawing/pipeline.h"
 #include "io/files/picture.h"
 #include "io/files/save_drawing.h"
 
 namespace dapple {
+
+// Drawings that the window no longer shows: their memory is used again, or given back to the system.
+
+/// One of them, or an empty one.
+PlacedDrawing take_spare(std::vector<PlacedDrawing>& spare);
+
+/// Keeps few, and none with far more room than drawings of so many dots need.
+void keep_few(std::vector<PlacedDrawing>& spare, std::size_t dots);
+
+/// Frees what a drawing has far more room for than it has dots.
+void shrink_if_far_too_large(PlacedDrawing& drawing);
+
+/// What was freed in small pieces stays with the C library otherwise.
+void give_memory_back();
 
 /// Where a drawing is while its dots are still to be relaxed further: told with the drawing as it lies then,
 /// which is made when it is called. False ends it there.

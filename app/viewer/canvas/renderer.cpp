@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/viewer/background/dot_colours.h"
+#include "app/viewer/background/dot_blocks.h"
 #include "core/image/colour.h"
 #include "core/image/tone.h"
 #include "dapple_viewer_embedded/shaders.h"

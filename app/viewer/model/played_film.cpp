@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "io/film/film_frames.h"
+#include "io/film/film.h"
 
 namespace dapple {
 

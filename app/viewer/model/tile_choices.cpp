@@ -5,7 +5,7 @@
 
 #include "core/settings/whole_path.h"
 #include "io/files/tile_library.h"
-#include "io/settings/working_folder.h"
+#include "io/settings/xdg_folders.h"
 
 namespace dapple {
 

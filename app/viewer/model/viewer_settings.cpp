@@ -1,6 +1,50 @@
 #include "app/viewer/model/viewer_settings.h"
 
+#include "core/settings/drawing_fields.h"
+
 namespace dapple {
+
+// Each begins with all members by name: with one more or less it doesn't compile.
+
+static void describe(Fields& fields, DensityChoice& density) {
+    auto& [source, grey] = density;
+    fields.choice({"source", "Density"}, source);
+    fields.number("grey", grey, {0, 1});
+}
+
+static void describe(Fields& fields, Comparison& comparison) {
+    auto& [on, placer, tile, ranking, by, divider] = comparison;
+    fields.flag("on", on);
+    fields.choice({"placer", "Right placer"}, placer);
+    fields.tile({"tile", "Right tile"}, tile);
+    fields.choice({"ranking", "Right ranking"}, ranking);
+    fields.choice({"by", "Right side has"}, by);
+    fields.number("divider", divider, {0, 1});
+}
+
+static void describe(Fields& fields, LoupeChoice& loupe) {
+    auto& [on, step] = loupe;
+    fields.flag("on", on);
+    fields.whole({"step", "Its tiles"}, step, {-3, 3});
+}
+
+void describe(Fields& fields, ViewerSettings& settings) {
+    auto& [drawing, density, picture_opacity, zoom_mode, colouring, deepest_level, comparison, loupe, origins,
+           saving, unit, every_frame] = settings;
+    static_cast<void>(every_frame);  // measures the computer: it is over with the window
+    describe_drawing(fields, drawing, saving);
+    fields.group("density", density);
+    fields.group("view", [&](Fields& view) {
+        view.number({"picture_opacity", "Photo beneath"}, settings.picture_opacity, {0, 1});
+        view.choice({"zoom_mode", "Zooming in"}, settings.zoom_mode);
+        view.choice({"colouring", "Dots coloured"}, settings.colouring);
+        view.whole({"deepest_level", "Divided up to"}, settings.deepest_level, {0, kDeepestStep});
+        view.group({"comparison", "Split view"}, settings.comparison);
+        view.group({"loupe", "Loupe"}, settings.loupe);
+        view.flag({"origins", "Explain dots"}, settings.origins);
+        view.choice({"unit", "Lengths in"}, settings.unit);
+    });
+}
 
 DotsRequest dots_request(const ViewerSettings& settings) {
     DotsRequest request = dots_request(settings.drawing, settings.density);

@@ -4,6 +4,7 @@
 #include "app/viewer/background/dots_request.h"
 #include "app/viewer/view/split_comparison.h"
 #include "core/drawing/settings.h"
+#include "core/settings/fields.h"
 #include "core/text/length.h"
 #include "core/text/names.h"
 
@@ -44,5 +45,11 @@ struct ViewerSettings {
 
 /// What the whole page is requested with.
 DotsRequest dots_request(const ViewerSettings& settings);
+
+// What the window's settings are called in files. A new field of one of these structs doesn't compile until
+// it is named here.
+
+/// "drawing", "saving" and, for the window alone, "view".
+void describe(Fields& fields, ViewerSettings& settings);
 
 }  // namespace dapple

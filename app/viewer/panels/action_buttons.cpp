@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "app/viewer/widgets/keys.h"
-#include "app/viewer/widgets/row_keys.h"
+#include "app/viewer/widgets/row.h"
 #include "app/viewer/widgets/theme.h"
 #include "app/viewer/widgets/widgets.h"
 

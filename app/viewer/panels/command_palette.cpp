@@ -12,7 +12,7 @@
 #include "app/viewer/widgets/picture_entry.h"
 #include "app/viewer/widgets/widgets.h"
 #include "core/text/shown_text.h"
-#include "io/files/file_ending.h"
+#include "io/files/text_file.h"
 
 namespace dapple {
 namespace {

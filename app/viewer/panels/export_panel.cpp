@@ -13,7 +13,7 @@
 #include <string>
 #include <system_error>
 
-#include "app/viewer/widgets/row_keys.h"
+#include "app/viewer/widgets/row.h"
 #include "app/viewer/widgets/widgets.h"
 #include "core/text/shown_text.h"
 #include "io/files/gcode_template.h"

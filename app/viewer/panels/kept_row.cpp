@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "app/viewer/widgets/keys.h"
-#include "app/viewer/widgets/row_keys.h"
+#include "app/viewer/widgets/row.h"
 
 namespace dapple {
 namespace {

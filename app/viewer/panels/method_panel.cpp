@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-#include "app/viewer/widgets/row_keys.h"
+#include "app/viewer/widgets/row.h"
 #include "app/viewer/widgets/widgets.h"
 
 namespace dapple {

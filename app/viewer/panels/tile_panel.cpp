@@ -8,7 +8,7 @@
 #include <glm/common.hpp>
 #include <string>
 
-#include "app/viewer/background/dot_colours.h"
+#include "app/viewer/background/dot_blocks.h"
 #include "app/viewer/widgets/theme.h"
 #include "app/viewer/widgets/widgets.h"
 #include "core/text/shown_text.h"

@@ -7,7 +7,7 @@
 
 #include "app/viewer/widgets/dialog.h"
 #include "app/viewer/widgets/keys.h"
-#include "app/viewer/widgets/row_keys.h"
+#include "app/viewer/widgets/row.h"
 #include "app/viewer/widgets/widgets.h"
 
 namespace dapple {

@@ -1,8 +1,8 @@
 #include "app/viewer/shell/drawing_document.h"
 
 #include <fmt/format.h>
-#include <imgui.h>
 
+#include <imgui.h>
 #include <algorithm>
 #include <chrono>
 #include <glm/common.hpp>
@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "app/viewer/background/mipmaps.h"
-#include "app/viewer/background/small_drawing.h"
+#include "app/viewer/background/small_pictures.h"
 #include "app/viewer/canvas/dot_card.h"
 #include "app/viewer/canvas/page_frame.h"
 #include "app/viewer/canvas/pane_view.h"
@@ -35,14 +35,15 @@
 #include "core/settings/whole_path.h"
 #include "core/text/shown_text.h"
 #include "io/available_memory.h"
-#include "io/files/file_ending.h"
 #include "io/files/picture.h"
+#include "io/files/text_file.h"
 #include "io/files/tile_library.h"
 #include "io/settings/embedded_settings.h"
 #include "io/settings/presets.h"
-#include "io/settings/working_folder.h"
+#include "io/settings/xdg_folders.h"
 
 namespace dapple {
+
 namespace {
 
 namespace fs = std::filesystem;

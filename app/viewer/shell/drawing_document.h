@@ -2,6 +2,7 @@
 // The drawing of a photograph in the window: its canvas, its panels, and what is told about it.
 
 #include <array>
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -19,9 +20,27 @@
 #include "app/viewer/panels/status_line.h"
 #include "app/viewer/shell/document.h"
 #include "app/viewer/shell/film_player.h"
-#include "app/viewer/shell/frame_rate.h"
 
 namespace dapple {
+
+/// Frames per second while frames follow each other; a rest in between does not count.
+class FrameRate {
+ public:
+    using Clock = std::chrono::steady_clock;
+
+    void frame(Clock::time_point now) {
+        std::chrono::duration<double> passed = now - last_;
+        last_ = now;
+        if (passed.count() <= 0 || passed.count() > kRest) return;
+        seconds_ = seconds_ > 0 ? seconds_ + 0.1 * (passed.count() - seconds_) : passed.count();
+    }
+    double per_second() const { return seconds_ > 0 ? 1 / seconds_ : 0; }
+
+ private:
+    static constexpr double kRest = 0.5;
+    Clock::time_point last_{};
+    double seconds_ = 0;
+};
 
 class DrawingDocument : public Document {
  public:

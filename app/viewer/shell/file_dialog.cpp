@@ -12,11 +12,11 @@
 #include "app/viewer/widgets/dialog.h"
 #include "app/viewer/widgets/keys.h"
 #include "app/viewer/widgets/picture_entry.h"
-#include "app/viewer/widgets/row_keys.h"
+#include "app/viewer/widgets/row.h"
 #include "app/viewer/widgets/theme.h"
 #include "app/viewer/widgets/widgets.h"
 #include "core/text/shown_text.h"
-#include "io/files/file_ending.h"
+#include "io/files/text_file.h"
 
 namespace dapple {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "app/viewer/widgets/dialog.h"
 #include "app/viewer/widgets/picture_entry.h"
-#include "app/viewer/widgets/row_keys.h"
+#include "app/viewer/widgets/row.h"
 #include "app/viewer/widgets/widgets.h"
 #include "core/text/shown_text.h"
 

@@ -13,11 +13,11 @@
 #include "app/viewer/panels/side_panel.h"
 #include "app/viewer/shell/status_log.h"
 #include "app/viewer/shell/window.h"
-#include "app/viewer/view/map_camera.h"
+#include "app/viewer/view/camera.h"
 #include "app/viewer/widgets/theme.h"
 #include "app/viewer/widgets/widgets.h"
 #include "core/text/shown_text.h"
-#include "io/settings/working_folder.h"
+#include "io/settings/xdg_folders.h"
 
 namespace dapple {
 namespace {

@@ -1,9 +1,9 @@
 #include "app/viewer/shell/memory.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <algorithm>
 #include <chrono>
 #include <system_error>
@@ -19,6 +19,25 @@
 #include "io/settings/project.h"
 
 namespace dapple {
+
+StartMark::StartMark(const std::filesystem::path& folder) : file_(folder / "starting") {
+    std::error_code ignored;
+    const bool was_there = std::filesystem::exists(file_, ignored);
+    held_ = Descriptor(::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600));
+    if (!held_) return;
+    if (::flock(held_.get(), LOCK_EX | LOCK_NB) != 0)
+        held_ = Descriptor();  // another window's
+    else
+        was_left_ = was_there;
+}
+
+void StartMark::begun() {
+    if (!held_) return;
+    std::error_code ignored;
+    std::filesystem::remove(file_, ignored);
+    held_ = Descriptor();
+}
+
 namespace {
 
 namespace fs = std::filesystem;

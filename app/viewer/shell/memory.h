@@ -13,12 +13,35 @@
 #include <vector>
 
 #include "app/viewer/model/viewer_settings.h"
-#include "app/viewer/shell/start_mark.h"
 #include "app/viewer/widgets/theme.h"
 #include "core/drawing/settings.h"
 #include "core/text/names.h"
+#include "io/descriptor.h"
 
 namespace dapple {
+
+// Tells the next window that one ended before it could draw, as by settings that crash it.
+
+/// A file that is there from the window's start to its first drawing. Held by one window at a time; of others
+/// that begin meanwhile nothing is known.
+class StartMark {
+ public:
+    StartMark() = default;
+    explicit StartMark(const std::filesystem::path& folder);
+    StartMark(StartMark&&) = default;
+    StartMark& operator=(StartMark&&) = default;
+    /// A window that ends in good order, as where there is no display, leaves none.
+    ~StartMark() { begun(); }
+
+    /// There was one that no window holds any more.
+    bool was_left() const { return was_left_; }
+    void begun();
+
+ private:
+    std::filesystem::path file_;
+    Descriptor held_;
+    bool was_left_ = false;
+};
 
 /// Whose dialog asks for a file to open; where the desktop has none, our own.
 enum class DialogChoice { own, desktop };

@@ -3,13 +3,15 @@
 
 #include <array>
 #include <chrono>
+#include <cstddef>
+#include <deque>
 #include <filesystem>
 #include <glm/vec2.hpp>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "app/viewer/shell/input_queue.h"
 #include "app/viewer/shell/memory.h"
 #include "app/viewer/widgets/theme.h"
 #include "core/image/rectangle.h"
@@ -17,6 +19,57 @@
 struct GLFWwindow;
 
 namespace dapple {
+
+// What came from keyboard and mouse, in its order, and how much of it one frame may see.
+//
+// Dear ImGui looks at what is down when a frame begins. If a frame took long, a key may have gone down and up
+// meanwhile, a button been pressed far from where the pointer is now, or a modifier have been let go after
+// the key it was for. So a frame is given only as much as it can tell apart, and the next frame the rest.
+
+/// One of GLFW's events, with the arguments of its callback.
+struct InputEvent {
+    enum class Kind { focus, enter, position, button, wheel, key, text };
+    Kind kind = Kind::position;
+    int code = 0;  // of the button or the key; of focus and enter: 1 if it came, 0 if it went
+    int scancode = 0;
+    bool down = false;  // button, key
+    int modifiers = 0;
+    double x = 0, y = 0;      // position, wheel
+    unsigned int letter = 0;  // text
+};
+
+/// GLFW's bits of the modifiers that are down after it, whether or not the system counts the event's own key.
+int modifiers_after(const InputEvent& event);
+
+class InputQueue {
+ public:
+    void push(const InputEvent& event) { events_.push_back(event); }
+    bool empty() const { return events_.empty(); }
+    /// Leaves out keys that go down, and letters; keys that go up stay, as they may have gone down before.
+    void forget_typed();
+
+    /// Takes the events of the next frame, at least one if there are any. Among them no key and no button
+    /// changes twice, no letter is typed twice, no modifier changes after something it could be for, the
+    /// pointer doesn't move on after a press, and nothing is pressed or typed after a press of a button or of
+    /// a key that does something (rather than being a letter).
+    std::vector<InputEvent> take_frame();
+
+ private:
+    std::deque<InputEvent> events_;
+};
+
+// Where a window lies among the screens of a desktop, all in the desktop's units.
+
+/// Whether a person can take hold of the window by its title bar, of which a part is on some screen.
+bool is_within_reach(const Rectangle<int>& window, std::span<const Rectangle<int>> screens);
+
+/// Which screen most of the window is on; the first where it is on none.
+std::size_t screen_under(const Rectangle<int>& window, std::span<const Rectangle<int>> screens);
+
+// A window's icon.
+
+/// Gives the window the built-in icon in the sizes that desktops ask for.
+void set_window_icon(GLFWwindow* window);
 
 class Window {
  public:

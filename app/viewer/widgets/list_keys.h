@@ -11,7 +11,7 @@
 #include <optional>
 #include <string_view>
 
-#include "app/viewer/widgets/row_keys.h"
+#include "app/viewer/widgets/row.h"
 
 namespace dapple {
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "io/command_line/wrapped_help.h"
+#include "io/command_line/program.h"
 #include "tests/file_text.h"
 #include "tests/render_scene.h"
 #include "tests/run_in_shell.h"

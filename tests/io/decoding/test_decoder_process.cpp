@@ -21,7 +21,6 @@
 
 #include "io/decoding/decoder_limits.h"
 #include "io/decoding/decoder_process.h"
-#include "io/decoding/kept_input.h"
 #include "tests/file_text.h"
 #include "tests/picture_files.h"
 #include "tests/png_chunk.h"

@@ -19,7 +19,7 @@
 #include "io/decoding/decoder_process.h"
 #include "io/decoding/image_pipe.h"
 #include "io/descriptor.h"
-#include "io/files/picture_builder.h"
+#include "io/files/picture.h"
 #include "tests/file_text.h"
 #include "tests/fuzz/mutations.h"
 #include "tests/temporary_folder.h"

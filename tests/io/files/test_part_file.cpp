@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "io/files/atomic_file.h"
-#include "io/files/part_file.h"
 #include "tests/file_text.h"
 #include "tests/temporary_folder.h"
 #include "tests/wait_until.h"

@@ -10,8 +10,6 @@
 #include <vector>
 
 #include "io/files/picture.h"
-#include "io/files/picture_builder.h"
-#include "io/files/sample.h"
 #include "tests/file_text.h"
 #include "tests/picture_files.h"
 #include "tests/temporary_folder.h"

@@ -9,7 +9,7 @@
 #include "core/drawing/page_pixels.h"
 #include "core/output/pen_figures.h"
 #include "io/files/tile_library.h"
-#include "io/film/film_frames.h"
+#include "io/film/film.h"
 #include "io/film/plot_film.h"
 
 namespace dapple {

@@ -11,7 +11,6 @@
 #include "app/viewer/panels/palette_row.h"
 #include "app/viewer/panels/pen_panel.h"
 #include "io/settings/palettes.h"
-#include "io/settings/pen_file.h"
 #include "tests/file_text.h"
 #include "tests/headless_ui.h"
 #include "tests/temporary_folder.h"

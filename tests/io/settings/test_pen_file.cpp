@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "io/settings/pen_file.h"
+#include "io/settings/palettes.h"
 #include "tests/file_text.h"
 #include "tests/render_scene.h"
 #include "tests/temporary_folder.h"

@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "app/commands/project_input.h"
+#include "app/commands/settings_options.h"
 #include "app/commands/render_command.h"
 #include "app/viewer/model/session.h"
-#include "app/viewer/model/viewer_fields.h"
+#include "app/viewer/model/viewer_settings.h"
 #include "core/image/mask.h"
 #include "core/settings/drawing_fields.h"
 #include "core/settings/fields.h"

@@ -10,8 +10,8 @@
 #include "app/viewer/model/session.h"
 #include "app/viewer/model/tile_choices.h"
 #include "core/settings/whole_path.h"
-#include "io/files/sample.h"
-#include "io/settings/working_folder.h"
+#include "io/files/picture.h"
+#include "io/settings/xdg_folders.h"
 #include "tests/temporary_folder.h"
 
 namespace dapple {

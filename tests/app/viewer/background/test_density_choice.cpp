@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "app/viewer/background/density_choice.h"
+#include "app/viewer/background/dots_request.h"
 #include "app/viewer/background/workbench.h"
 
 namespace dapple {

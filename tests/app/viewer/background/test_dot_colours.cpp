@@ -7,7 +7,7 @@
 #include <set>
 #include <tuple>
 
-#include "app/viewer/background/dot_colours.h"
+#include "app/viewer/background/dot_blocks.h"
 #include "app/viewer/background/workbench.h"
 #include "core/image/colour.h"
 #include "core/placing/page_density.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "app/commands/mural.h"
+#include "app/commands/batch.h"
 #include "app/commands/render.h"
 #include "app/commands/render_report.h"
 #include "app/viewer/model/session.h"

@@ -5,7 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "app/viewer/background/small_drawing.h"
 #include "app/viewer/background/small_pictures.h"
 #include "core/drawing/page_setup.h"
 #include "tests/wait_until.h"

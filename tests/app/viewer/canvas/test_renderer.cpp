@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/viewer/background/dot_colours.h"
+#include "app/viewer/background/dot_blocks.h"
 #include "app/viewer/background/mipmaps.h"
 #include "app/viewer/canvas/renderer.h"
 #include "core/image/colour.h"

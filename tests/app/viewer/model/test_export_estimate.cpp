@@ -13,7 +13,7 @@
 #include "core/drawing/pipeline.h"
 #include "core/output/pen_figures.h"
 #include "io/files/file_size.h"
-#include "io/files/sample.h"
+#include "io/files/picture.h"
 #include "io/files/save_drawing.h"
 #include "io/files/tile_library.h"
 #include "tests/split_session.h"

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <string>
 
-#include "app/viewer/background/small_drawing.h"
+#include "app/viewer/background/small_pictures.h"
 #include "core/image/colour.h"
 #include "core/pens/separation.h"
 

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "app/viewer/model/change_words.h"
+#include "app/viewer/model/history.h"
 #include "app/viewer/model/session.h"
 #include "core/tile/tile_file.h"
-#include "io/files/sample.h"
+#include "io/files/picture.h"
 #include "io/files/tile_library.h"
 #include "tests/file_text.h"
 #include "tests/split_session.h"

@@ -7,7 +7,7 @@
 #include <stop_token>
 #include <string>
 
-#include "app/viewer/background/small_drawing.h"
+#include "app/viewer/background/small_pictures.h"
 #include "app/viewer/model/variations.h"
 
 namespace dapple {

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/viewer/model/change_words.h"
+#include "app/viewer/model/history.h"
 #include "app/viewer/panels/about_panel.h"
 #include "app/viewer/panels/action_buttons.h"
 #include "app/viewer/panels/compare_panel.h"
@@ -27,7 +27,7 @@
 #include "app/viewer/panels/preset_row.h"
 #include "app/viewer/panels/tile_panel.h"
 #include "app/viewer/panels/tone_panel.h"
-#include "app/viewer/widgets/row_keys.h"
+#include "app/viewer/widgets/row.h"
 #include "core/tile/tile.h"
 #include "tests/headless_ui.h"
 

@@ -13,7 +13,7 @@
 #include "app/viewer/panels/command_palette.h"
 #include "app/viewer/panels/help_panel.h"
 #include "app/viewer/widgets/dialog.h"
-#include "app/viewer/widgets/row_keys.h"
+#include "app/viewer/widgets/row.h"
 #include "app/viewer/widgets/widgets.h"
 #include "core/image/colour.h"
 #include "tests/headless_ui.h"

@@ -7,7 +7,7 @@
 #include "app/viewer/shell/file_dialog.h"
 #include "app/viewer/widgets/list_keys.h"
 #include "app/viewer/widgets/picture_entry.h"
-#include "app/viewer/widgets/row_keys.h"
+#include "app/viewer/widgets/row.h"
 #include "tests/file_text.h"
 #include "tests/headless_ui.h"
 #include "tests/temporary_folder.h"

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "app/viewer/shell/input_queue.h"
+#include "app/viewer/shell/window.h"
 
 namespace dapple {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "app/viewer/shell/screens.h"
+#include "app/viewer/shell/window.h"
 
 namespace dapple {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "app/viewer/shell/unsaved_drawings.h"
+#include "app/viewer/shell/kept_drawings.h"
 #include "tests/file_text.h"
 #include "tests/temporary_folder.h"
 

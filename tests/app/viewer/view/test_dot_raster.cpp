@@ -11,7 +11,6 @@
 #include <span>
 #include <vector>
 
-#include "app/viewer/view/sampled_pixels.h"
 
 namespace dapple {
 namespace {

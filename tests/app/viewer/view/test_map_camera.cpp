@@ -3,7 +3,7 @@
 #include <glm/geometric.hpp>
 #include <random>
 
-#include "app/viewer/view/map_camera.h"
+#include "app/viewer/view/camera.h"
 
 namespace dapple {
 namespace {

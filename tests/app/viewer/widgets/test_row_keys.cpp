@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/viewer/widgets/row_keys.h"
+#include "app/viewer/widgets/row.h"
 #include "tests/headless_ui.h"
 
 namespace dapple {

@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include "app/viewer/widgets/typed_value.h"
+#include "app/viewer/widgets/widgets.h"
 #include "core/text/quantity.h"
 
 using namespace dapple;

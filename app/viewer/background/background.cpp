@@ -1,13 +1,15 @@
-#include "app/viewer/background/background_priority.h"
+#include "app/viewer/background/background.h"
 
 #include <tbb/task_scheduler_observer.h>
 
-#if defined(DAPPLE_LINUX)
 #include <sys/resource.h>
 #include <unistd.h>
+
+#if defined(DAPPLE_LINUX)
 #endif
 
 namespace dapple {
+
 namespace {
 
 void lower_own_priority() {

@@ -1,4 +1,4 @@
-#include "app/viewer/model/change_words.h"
+#include "app/viewer/model/history.h"
 
 #include <fmt/format.h>
 
@@ -10,11 +10,12 @@
 #include <utility>
 #include <vector>
 
-#include "app/viewer/model/viewer_fields.h"
+#include "app/viewer/model/viewer_settings.h"
 #include "core/settings/setting.h"
 #include "core/settings/settings_text.h"
 
 namespace dapple {
+
 namespace {
 
 using Notes = std::map<std::string, FieldNote>;
