@@ -378,7 +378,7 @@ fs::path decoder_named(const char* name) {
 #if defined(DAPPLE_LINUX)
     std::error_code error;
     const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
-    const std::array places{folder, folder / "../libexec/dapple", folder / "../app"};
+    const std::array places{folder, folder / "../libexec/dapple", folder / "../io"};
 #else
     // A program that cannot tell where it lies cannot be moved.
     const std::array<fs::path, 2> places{DAPPLE_INSTALLED_DECODERS, DAPPLE_BUILT_DECODERS};

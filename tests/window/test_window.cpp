@@ -171,7 +171,7 @@ TEST_CASE(
     "a tile from a file is drawn with, whether it is chosen in the window or named on the command line") {
     TemporaryFolder folder;
     const std::string tile = (folder / "mine.tile").string(), command = (folder / "command.svg").string();
-    run({dapple_program(), "tile", "rank", "aperiodic16", "--ranking", "farthest", "-o", tile});
+    run({lab_program(), "tile", "rank", "aperiodic16", "--ranking", "farthest", "-o", tile});
     run({dapple_program(), "render", "-o", command, "--tile", tile, "--relax", "0"});
     const auto exports_the_same = [&](RunningViewer& viewer) {
         viewer.move(300, 300);

@@ -1,10 +1,10 @@
-// compare.mjs ENGINE.wasm DAPPLE FOLDER [SEED]: whether the engine's tables and drawings are the program's, byte for byte, also
+// compare.mjs ENGINE.wasm DAPPLE DAPPLE-LAB FOLDER [SEED]: whether the engine's tables and drawings are the program's, byte for byte, also
 // with settings at random, others for each seed.
 import {execFileSync} from "node:child_process";
 import {readFileSync, writeFileSync} from "node:fs";
 import {startEngine} from "../engine.mjs";
 
-const [wasm, dapple, folder, seed = "1"] = process.argv.slice(2);
+const [wasm, dapple, lab, folder, seed = "1"] = process.argv.slice(2);
 const engine = await startEngine(new WebAssembly.Module(readFileSync(wasm)));
 
 // A picture's bytes as a file that needs no decoder worth the name.
@@ -112,8 +112,8 @@ for (const [tile, repeats] of [["best32", true], ["kinds4096", false]]) {
     engine.draw(settings);
     const here = engine.spectrum(), table = `${folder}/${tile}.csv`;
     writeFileSync(table, engine.file("csv"));
-    execFileSync(dapple, ["analyse", table, "-o", `${folder}/${tile}.png`]);
-    execFileSync(dapple, ["analyse", table, "-o", `${folder}/${tile}.json`, "--period", String(here.period)]);
+    execFileSync(lab, ["analyse", table, "-o", `${folder}/${tile}.png`]);
+    execFileSync(lab, ["analyse", table, "-o", `${folder}/${tile}.json`, "--period", String(here.period)]);
     const pixels = execFileSync("convert", [`${folder}/${tile}.png`, "-depth", "8", "rgba:-"], {maxBuffer: 1e9});
     const other = pixels.length === here.rgba.length ? pixels.filter((value, i) => Math.abs(value - here.rgba[i]) > 1).length : NaN;
     const value = JSON.parse(readFileSync(`${folder}/${tile}.json`)).periodicity;
