@@ -1,4 +1,4 @@
-#include "app/viewer/panels/about_panel.h"
+#include "app/viewer/panels/window_panels.h"
 
 #include <GLFW/glfw3.h>
 #include <imgui.h>

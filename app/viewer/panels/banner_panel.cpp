@@ -1,4 +1,4 @@
-#include "app/viewer/panels/banner_panel.h"
+#include "app/viewer/panels/window_panels.h"
 
 #include <algorithm>
 #include <limits>

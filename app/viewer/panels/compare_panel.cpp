@@ -1,8 +1,7 @@
-#include "app/viewer/panels/compare_panel.h"
 
 #include <array>
 
-#include "app/viewer/panels/method_panel.h"
+#include "app/viewer/panels/method_panels.h"
 #include "app/viewer/widgets/widgets.h"
 
 namespace dapple {

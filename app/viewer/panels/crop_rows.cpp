@@ -1,4 +1,4 @@
-#include "app/viewer/panels/crop_rows.h"
+#include "app/viewer/panels/settings_panels.h"
 
 #include <array>
 

@@ -1,4 +1,4 @@
-#include "app/viewer/panels/dots_panel.h"
+#include "app/viewer/panels/settings_panels.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "app/viewer/panels/method_panel.h"
+#include "app/viewer/panels/method_panels.h"
 #include "app/viewer/widgets/widgets.h"
 #include "core/image/density.h"
 #include "core/relaxing/relax.h"

@@ -1,4 +1,4 @@
-#include "app/viewer/panels/help_panel.h"
+#include "app/viewer/panels/window_panels.h"
 
 #include <imgui.h>
 

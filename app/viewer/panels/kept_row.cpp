@@ -1,4 +1,4 @@
-#include "app/viewer/panels/kept_row.h"
+#include "app/viewer/panels/window_panels.h"
 
 #include <fmt/format.h>
 #include <imgui.h>

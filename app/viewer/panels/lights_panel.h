@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "app/viewer/model/lit_map.h"
-#include "app/viewer/panels/tile_row.h"
+#include "app/viewer/panels/method_panels.h"
 #include "io/files/save_lights.h"
 
 namespace dapple {

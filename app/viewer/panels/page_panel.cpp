@@ -1,4 +1,4 @@
-#include "app/viewer/panels/page_panel.h"
+#include "app/viewer/panels/settings_panels.h"
 
 #include <imgui.h>
 

@@ -1,4 +1,4 @@
-#include "app/viewer/panels/palette_row.h"
+#include "app/viewer/panels/settings_panels.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "app/viewer/panels/pen_panel.h"
+#include "app/viewer/panels/settings_panels.h"
 
 #include <imgui.h>
 

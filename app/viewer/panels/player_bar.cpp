@@ -1,4 +1,4 @@
-#include "app/viewer/panels/player_bar.h"
+#include "app/viewer/panels/window_panels.h"
 
 #include <imgui.h>
 

@@ -1,4 +1,4 @@
-#include "app/viewer/panels/preset_row.h"
+#include "app/viewer/panels/settings_panels.h"
 
 #include <imgui.h>
 

@@ -1,4 +1,4 @@
-#include "app/viewer/panels/saving_banner.h"
+#include "app/viewer/panels/window_panels.h"
 
 #include <fmt/format.h>
 #include <imgui.h>

@@ -1,4 +1,3 @@
-#include "app/viewer/panels/side_captions.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -6,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/viewer/panels/status_line.h"
+#include "app/viewer/panels/window_panels.h"
 #include "app/viewer/widgets/theme.h"
 #include "io/files/tile_library.h"
 

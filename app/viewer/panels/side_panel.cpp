@@ -7,15 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "app/viewer/panels/action_buttons.h"
-#include "app/viewer/panels/compare_panel.h"
-#include "app/viewer/panels/crop_rows.h"
-#include "app/viewer/panels/dots_panel.h"
-#include "app/viewer/panels/mask_panel.h"
-#include "app/viewer/panels/method_panel.h"
-#include "app/viewer/panels/page_panel.h"
-#include "app/viewer/panels/pen_panel.h"
-#include "app/viewer/panels/tone_panel.h"
+#include "app/viewer/panels/window_panels.h"
+#include "app/viewer/panels/settings_panels.h"
+#include "app/viewer/panels/method_panels.h"
 #include "app/viewer/widgets/theme.h"
 #include "app/viewer/widgets/widgets.h"
 #include "core/image/ink_use.h"

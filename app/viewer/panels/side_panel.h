@@ -6,12 +6,10 @@
 #include <string>
 
 #include "app/viewer/model/session.h"
-#include "app/viewer/panels/action_buttons.h"
-#include "app/viewer/panels/palette_row.h"
-#include "app/viewer/panels/preset_row.h"
+#include "app/viewer/panels/window_panels.h"
+#include "app/viewer/panels/settings_panels.h"
 #include "app/viewer/panels/shortcuts.h"
-#include "app/viewer/panels/spectrum_panel.h"
-#include "app/viewer/panels/tile_panel.h"
+#include "app/viewer/panels/method_panels.h"
 
 namespace dapple {
 

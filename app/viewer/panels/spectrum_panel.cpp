@@ -1,4 +1,4 @@
-#include "app/viewer/panels/spectrum_panel.h"
+#include "app/viewer/panels/method_panels.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "app/viewer/panels/tile_row.h"
+#include "app/viewer/panels/method_panels.h"
 
 #include <algorithm>
 #include <vector>

@@ -1,10 +1,9 @@
-#include "app/viewer/panels/tone_panel.h"
+#include "app/viewer/panels/settings_panels.h"
 
 #include <imgui.h>
 
 #include <algorithm>
 
-#include "app/viewer/panels/histogram_panel.h"
 #include "app/viewer/widgets/widgets.h"
 #include "core/image/detail.h"
 #include "core/image/exposure.h"

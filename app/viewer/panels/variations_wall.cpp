@@ -1,4 +1,4 @@
-#include "app/viewer/panels/variations_wall.h"
+#include "app/viewer/panels/window_panels.h"
 
 #include <imgui.h>
 

@@ -16,8 +16,8 @@
 #include "app/viewer/model/compared_panes.h"
 #include "app/viewer/model/export_estimate.h"
 #include "app/viewer/panels/side_panel.h"
-#include "app/viewer/panels/spectrum_panel.h"
-#include "app/viewer/panels/status_line.h"
+#include "app/viewer/panels/method_panels.h"
+#include "app/viewer/panels/window_panels.h"
 #include "app/viewer/shell/document.h"
 #include "app/viewer/shell/film_player.h"
 

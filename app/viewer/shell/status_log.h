@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "app/viewer/panels/status_line.h"
+#include "app/viewer/panels/window_panels.h"
 #include "app/viewer/widgets/widgets.h"
 
 namespace dapple {

@@ -8,8 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/viewer/panels/palette_row.h"
-#include "app/viewer/panels/pen_panel.h"
+#include "app/viewer/panels/settings_panels.h"
 #include "io/settings/palettes.h"
 #include "tests/file_text.h"
 #include "tests/headless_ui.h"

@@ -9,7 +9,7 @@
 #include "app/viewer/desktop/desktop_folders.h"
 #include "app/viewer/desktop/pasted_files.h"
 #include "app/viewer/model/session.h"
-#include "app/viewer/panels/preset_row.h"
+#include "app/viewer/panels/settings_panels.h"
 #include "core/settings/drawing_fields.h"
 #include "core/settings/settings_text.h"
 #include "io/settings/presets.h"

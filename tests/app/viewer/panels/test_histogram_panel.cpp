@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/viewer/panels/histogram_panel.h"
+#include "app/viewer/panels/settings_panels.h"
 #include "core/image/ink.h"
 #include "tests/headless_ui.h"
 

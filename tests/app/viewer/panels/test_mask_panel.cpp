@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "app/viewer/panels/mask_panel.h"
+#include "app/viewer/panels/settings_panels.h"
 #include "core/image/mask.h"
 #include "tests/headless_ui.h"
 

@@ -6,11 +6,8 @@
 #include <string>
 
 #include "app/viewer/model/viewer_settings.h"
-#include "app/viewer/panels/about_panel.h"
-#include "app/viewer/panels/crop_rows.h"
-#include "app/viewer/panels/dots_panel.h"
-#include "app/viewer/panels/page_panel.h"
-#include "app/viewer/panels/pen_panel.h"
+#include "app/viewer/panels/window_panels.h"
+#include "app/viewer/panels/settings_panels.h"
 #include "tests/headless_ui.h"
 
 namespace dapple {

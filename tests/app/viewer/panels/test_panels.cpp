@@ -6,11 +6,8 @@
 #include <array>
 #include <string>
 
-#include "app/viewer/panels/compare_panel.h"
-#include "app/viewer/panels/dots_panel.h"
-#include "app/viewer/panels/method_panel.h"
-#include "app/viewer/panels/page_panel.h"
-#include "app/viewer/panels/tone_panel.h"
+#include "app/viewer/panels/settings_panels.h"
+#include "app/viewer/panels/method_panels.h"
 #include "tests/headless_ui.h"
 
 namespace dapple {

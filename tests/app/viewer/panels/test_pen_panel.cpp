@@ -5,7 +5,7 @@
 #include <glm/glm.hpp>
 #include <string>
 
-#include "app/viewer/panels/pen_panel.h"
+#include "app/viewer/panels/settings_panels.h"
 #include "tests/file_text.h"
 #include "tests/headless_ui.h"
 

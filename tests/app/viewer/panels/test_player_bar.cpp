@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "app/viewer/panels/player_bar.h"
+#include "app/viewer/panels/window_panels.h"
 #include "tests/headless_ui.h"
 
 namespace dapple {

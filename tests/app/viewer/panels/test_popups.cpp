@@ -8,10 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "app/viewer/panels/about_panel.h"
-#include "app/viewer/panels/action_buttons.h"
+#include "app/viewer/panels/window_panels.h"
 #include "app/viewer/panels/command_palette.h"
-#include "app/viewer/panels/help_panel.h"
 #include "app/viewer/widgets/dialog.h"
 #include "app/viewer/widgets/row.h"
 #include "app/viewer/widgets/widgets.h"

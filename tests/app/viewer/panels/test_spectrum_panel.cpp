@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "app/viewer/panels/spectrum_panel.h"
+#include "app/viewer/panels/method_panels.h"
 #include "tests/headless_ui.h"
 
 namespace dapple {

@@ -6,9 +6,7 @@
 #include <glm/glm.hpp>
 #include <string>
 
-#include "app/viewer/panels/banner_panel.h"
-#include "app/viewer/panels/saving_banner.h"
-#include "app/viewer/panels/status_line.h"
+#include "app/viewer/panels/window_panels.h"
 #include "tests/headless_ui.h"
 
 namespace dapple {

@@ -7,9 +7,7 @@
 #include <glm/glm.hpp>
 #include <string>
 
-#include "app/viewer/panels/compare_panel.h"
-#include "app/viewer/panels/method_panel.h"
-#include "app/viewer/panels/tile_panel.h"
+#include "app/viewer/panels/method_panels.h"
 #include "core/tile/tile.h"
 #include "tests/headless_ui.h"
 

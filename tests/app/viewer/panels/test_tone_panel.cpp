@@ -6,7 +6,7 @@
 #include <glm/glm.hpp>
 #include <utility>
 
-#include "app/viewer/panels/tone_panel.h"
+#include "app/viewer/panels/settings_panels.h"
 #include "tests/headless_ui.h"
 
 namespace dapple {

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-#include "app/viewer/panels/about_panel.h"
+#include "app/viewer/panels/window_panels.h"
 #include "app/viewer/widgets/theme.h"
 #include "tests/file_text.h"
 #include "tests/headless_ui.h"
