@@ -1,6 +1,7 @@
 // dapple: stipples pictures, in a window and on the command line.
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
@@ -8,13 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "app/commands/lights.h"
-#include "app/commands/mask_command.h"
-#include "app/commands/presets_command.h"
-#include "app/commands/record.h"
-#include "app/commands/render_command.h"
-#include "app/commands/test_sheet_command.h"
-#include "app/commands/tile_command.h"
+#include "app/commands/commands.h"
 #include "app/viewer/viewer.h"
 #include "io/command_line/complete.h"
 #include "io/command_line/manual.h"
@@ -71,27 +66,24 @@ int main(int argc, char** argv) {
     // For scripts that drive the window: nothing that help need tell.
     program.add_flag("--log-status", viewer.log_status)->group("");
     program.add_flag("--own-dialog", viewer.own_dialog)->group("");
-    const dapple::RenderCommand render(program);
-    const dapple::RecordCommand record(program);
-    const dapple::LightsCommand lights(program);
-    const dapple::TileCommand tile(program);
-    const dapple::TestSheetCommand test_sheet(program);
-    const dapple::MaskCommand mask(program);
+    const auto show_map = [&](const dapple::ShownMap& map) {
+        dapple::LightsSettings settings;
+        settings.request = map.request;
+        settings.tile = map.tile;
+        settings.stops = map.stops;
+        settings.turn_degrees = map.turn_degrees;
+        status = dapple::run_viewer(dapple::LightViewerOptions{map.map, settings, viewer.log_status,
+                                                               viewer.fresh, viewer.own_dialog});
+    };
+    const std::array commands{
+        dapple::add_render_command(program),           dapple::add_record_command(program),
+        dapple::add_lights_command(program, show_map), dapple::add_tile_command(program),
+        dapple::add_test_sheet_command(program),       dapple::add_mask_command(program)};
     const dapple::CompleteCommand complete(program);
     dapple::add_presets_command(program);
     dapple::add_manual_command(program);
 
     program.callback([&] {
-        if (const dapple::LightsOptions* map = lights.window()) {
-            dapple::LightsSettings settings;
-            settings.request = map->request;
-            settings.tile = map->tile;
-            settings.stops = map->exposure.value_or(0);
-            settings.turn_degrees = map->rotation_degrees;
-            status = dapple::run_viewer(dapple::LightViewerOptions{map->map, settings, viewer.log_status,
-                                                                   viewer.fresh, viewer.own_dialog});
-            return;
-        }
         if (!program.get_subcommands().empty()) return;
         if (tile_of_window->count() > 0) viewer.tile = window_tile;
         status = dapple::run_viewer(viewer);

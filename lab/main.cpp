@@ -1,15 +1,12 @@
 // dapple-lab: studies what dapple draws with - tiles, points, methods beside it, and dots in space.
 
 #include <CLI/CLI.hpp>
+#include <array>
 
 #include "io/command_line/complete.h"
 #include "io/command_line/manual.h"
 #include "io/command_line/program.h"
-#include "lab/commands/analyse.h"
-#include "lab/commands/compare.h"
-#include "lab/commands/reproduce.h"
-#include "lab/commands/tile_command.h"
-#include "lab/commands/volume_command.h"
+#include "lab/commands/commands.h"
 
 int main(int argc, char** argv) {
     CLI::App program{"The laboratory of dapple: searches, measures and compares.", "dapple-lab"};
@@ -22,11 +19,9 @@ int main(int argc, char** argv) {
         "  dapple-lab compare cat.jpg --page compare.html    beside the methods that came before\n"
         "  dapple-lab tile search --points 20                the best tiles of 20 points");
     program.require_subcommand(1);
-    const dapple::ReproduceCommand reproduce(program);
-    const dapple::AnalyseCommand analyse(program);
-    const dapple::CompareCommand compare(program);
-    const dapple::LabTileCommand tile(program);
-    const dapple::VolumeCommand volume(program);
+    const std::array commands{dapple::add_analyse_command(program), dapple::add_compare_command(program),
+                              dapple::add_reproduce_command(program), dapple::add_lab_tile_command(program),
+                              dapple::add_volume_command(program)};
     const dapple::CompleteCommand complete(program);
     dapple::add_manual_command(program);
     return dapple::run_program(program, argc, argv, 0);

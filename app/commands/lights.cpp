@@ -1,24 +1,60 @@
-#include "app/commands/lights.h"
+// dapple lights: an environment map to a list of lights.
+
+#include "app/commands/commands.h"
 
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 #include "core/image/environment.h"
+#include "core/lights/direction.h"
+#include "core/lights/light_samples.h"
 #include "core/text/shown_text.h"
+#include "core/tile/ranking.h"
 #include "io/available_memory.h"
 #include "io/command_line/files_in_use.h"
 #include "io/command_line/options.h"
 #include "io/command_line/remarks.h"
 #include "io/files/atomic_file.h"
 #include "io/files/environment_file.h"
-#include "io/files/text_file.h"
 #include "io/files/save_lights.h"
+#include "io/files/text_file.h"
 #include "io/files/tile_library.h"
 #include "io/reports/light_report.h"
 
 namespace dapple {
+
+struct LightsOptions {
+    std::optional<std::filesystem::path> map;  // none: a sky of our own
+    std::filesystem::path output;              // see kLightEndings; empty: a window
+    LightRequest request{.threads = 0};
+    std::optional<SphereConvention> convention;  // none: the one of the program that reads such a file
+    bool clamp = false;                          // light below 0 is none
+    bool compare = false;                        // instead: how samplers err; output .html, .csv or .svg
+    double rotation_degrees = 0;
+    std::string tile = "paper16";
+    RankingMethod ranking = RankingMethod::energy;
+    std::optional<std::filesystem::path> pdf;  // also: the density by which samples are placed, an .exr
+    std::optional<double> memory;              // bytes that it may take; none: what is available
+    std::optional<double> exposure;            // of a PNG, in stops over the natural one
+};
+
+class LightsCommand {
+ public:
+    LightsCommand(CLI::App& program, std::function<void(const ShownMap&)> show);
+
+ private:
+    LightsOptions options_;
+    std::function<void(const ShownMap&)> show_;
+};
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -87,6 +123,8 @@ void check_that_fit(const CLI::App& command, const LightsOptions& options) {
 
 }  // namespace
 
+// Reads, samples and saves; needs an output. Throws std::runtime_error with one sentence naming the file
+// that is wrong; what was at the output's place stays then.
 void lights(const LightsOptions& options) {
     if (!light_file_of(options.output)) {
         throw std::runtime_error(
@@ -122,6 +160,7 @@ void lights(const LightsOptions& options) {
         });
 }
 
+// Saves how large the errors of samplers are on that map, and prints them. Throws as above.
 void compare_lights(const LightsOptions& options) {
     if (!is_report(options.output)) {
         throw std::runtime_error(
@@ -143,7 +182,8 @@ void compare_lights(const LightsOptions& options) {
     fmt::print("{}", comparison_table(comparison));
 }
 
-LightsCommand::LightsCommand(CLI::App& program) {
+LightsCommand::LightsCommand(CLI::App& program, std::function<void(const ShownMap&)> show)
+    : show_(std::move(show)) {
     CLI::App* const command =
         program.add_subcommand("lights", "Turn an environment map into a list of lights for a renderer");
     LightRequest& request = options_.request;
@@ -221,8 +261,11 @@ LightsCommand::LightsCommand(CLI::App& program) {
         }
         if (options_.output.empty()) {
             check_that_fit(*command, options_);
-            window_wanted_ = true;
-            return;
+            return show_({.map = options_.map,
+                          .request = options_.request,
+                          .tile = options_.tile,
+                          .stops = options_.exposure.value_or(0),
+                          .turn_degrees = options_.rotation_degrees});
         }
         if (!light_file_of(options_.output)) {
             throw CLI::ValidationError("--output",
@@ -234,6 +277,10 @@ LightsCommand::LightsCommand(CLI::App& program) {
         check_apart(*command, {"--output", "--pdf"}, written);
         lights(options_);
     });
+}
+
+Command add_lights_command(CLI::App& program, std::function<void(const ShownMap&)> show) {
+    return std::make_shared<LightsCommand>(program, std::move(show));
 }
 
 }  // namespace dapple

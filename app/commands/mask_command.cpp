@@ -1,27 +1,61 @@
-#include "app/commands/mask_command.h"
+// dapple mask: a threshold mask for screening, as pictures.
+
+#include "app/commands/commands.h"
 
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "core/drawing/settings.h"
 #include "core/maths/portable_math.h"
 #include "core/screening/threshold_mask.h"
+#include "core/screening/void_and_cluster.h"
 #include "core/text/numbers.h"
 #include "io/command_line/files_in_use.h"
 #include "io/command_line/options.h"
 #include "io/command_line/remarks.h"
 #include "io/files/atomic_file.h"
-#include "io/files/text_file.h"
 #include "io/files/picture.h"
 #include "io/files/png_file.h"
+#include "io/files/text_file.h"
 #include "io/files/tile_library.h"
 #include "io/progress_line.h"
 
 namespace dapple {
+
+/// What orders a mask's pixels.
+enum class MaskOrder { clusters, tile };
+constexpr auto names_of(MaskOrder) {
+    return names("clusters", "tile");
+}
+
+class MaskCommand {
+ public:
+    explicit MaskCommand(CLI::App& program);
+
+ private:
+    void check(const CLI::App& command) const;
+    void save() const;
+
+    ThresholdSize size_;
+    MaskOrder order_ = MaskOrder::clusters;
+    VoidAndClusterOptions clusters_;
+    std::string tile_ = kDefaultTile;
+    int bits_ = 8;
+    double gain_ = 0;
+    std::filesystem::path output_;
+    std::optional<std::filesystem::path> screens_;  // a picture
+};
+
 namespace {
 
 // "256", "320x200" or "64x64x16".
@@ -181,6 +215,10 @@ void MaskCommand::save() const {
         save_next(slice, [&] { save_grey(files[slice], thresholds, bits_); });
         if (screens_ && slice == 0) save_grey(beside(output_, "screened"), screened(picture, thresholds), 8);
     }
+}
+
+Command add_mask_command(CLI::App& program) {
+    return std::make_shared<MaskCommand>(program);
 }
 
 }  // namespace dapple

@@ -1,4 +1,4 @@
-#include "app/commands/presets_command.h"
+#include "app/commands/commands.h"
 
 #include <fmt/format.h>
 
@@ -8,6 +8,7 @@
 
 namespace dapple {
 
+// Prints a line each: the name, a tab, what it is about.
 void add_presets_command(CLI::App& program) {
     program
         .add_subcommand("presets",

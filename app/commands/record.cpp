@@ -1,24 +1,52 @@
-#include "app/commands/record.h"
+// dapple record: a film of how a drawing comes about.
+
+#include "app/commands/commands.h"
 
 #include <fmt/format.h>
 
 #include <cstdio>
 #include <filesystem>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/commands/settings_options.h"
+#include "core/drawing/settings.h"
 #include "io/command_line/files_in_use.h"
 #include "io/command_line/options.h"
 #include "io/command_line/remarks.h"
 #include "io/files/picture.h"
 #include "io/files/save_drawing.h"
 #include "io/files/tile_library.h"
+#include "io/film/film.h"
 #include "io/film/save_film.h"
 #include "io/progress_line.h"
+#include "io/settings/embedded_settings.h"
 #include "io/settings/project.h"
 
 namespace dapple {
+
+struct RecordOptions {
+    std::optional<std::filesystem::path> image;  // none: the built-in sample
+    std::filesystem::path output;                // see check_film_path()
+    DrawingSettings drawing;
+    FilmChoice film;
+};
+
+class RecordCommand {
+ public:
+    explicit RecordCommand(CLI::App& program);
+
+ private:
+    void take(const SavedSettings& settings);
+
+    RecordOptions options_;
+    std::optional<Rectangle<double>> region_;  // of the settings, which are for drawings
+    PictureLimit limit_ = PictureLimit::usual;
+    bool automatic_tone_ = true;  // before the options say another
+};
+
 namespace {
 
 void show_picture(Pipeline& pipeline, const RecordOptions& options) {
@@ -30,6 +58,8 @@ void show_picture(Pipeline& pipeline, const RecordOptions& options) {
 
 }  // namespace
 
+// Throws std::runtime_error with one sentence naming the file that is wrong; what was at the output's place
+// stays then.
 void record(const RecordOptions& options) {
     check_film_path(options.output);
     const DrawingSettings settings = film_settings(options.drawing, options.film.kind);
@@ -142,6 +172,10 @@ void RecordCommand::take(const SavedSettings& settings) {
     options_.film.order = saving.order;
     region_ = saving.region;
     automatic_tone_ = settings.drawing.automatic_tone;
+}
+
+Command add_record_command(CLI::App& program) {
+    return std::make_shared<RecordCommand>(program);
 }
 
 }  // namespace dapple

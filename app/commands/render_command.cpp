@@ -1,4 +1,6 @@
-#include "app/commands/render_command.h"
+// dapple render: its options, and what they come to.
+
+#include "app/commands/commands.h"
 
 #include <fmt/format.h>
 
@@ -7,6 +9,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -30,6 +33,22 @@
 #include "io/settings/project.h"
 
 namespace dapple {
+
+class RenderCommand {
+ public:
+    explicit RenderCommand(CLI::App& program);
+
+ private:
+    void add_input_options(CLI::App& command);
+    void add_output_options(CLI::App& command);
+    void add_saving_options(CLI::App& command);
+    void run(const CLI::App& command);
+
+    RenderOptions options_;
+    std::vector<std::filesystem::path> pictures_;  // where there are several
+    int jobs_ = 0;
+    bool automatic_tone_ = true;  // before the options say another
+};
 
 namespace {
 
@@ -441,6 +460,10 @@ void RenderCommand::run(const CLI::App& command) {
     if (!result.failures.empty())
         throw std::runtime_error(
             fmt::format("{} of {} pictures failed", result.failures.size(), shared.size()));
+}
+
+Command add_render_command(CLI::App& program) {
+    return std::make_shared<RenderCommand>(program);
 }
 
 }  // namespace dapple

@@ -1,14 +1,19 @@
-#include "app/commands/test_sheet_command.h"
+// dapple testsheet: a page to plot, from which the dot gain of pens is read off.
+
+#include "app/commands/commands.h"
 
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <filesystem>
+#include <memory>
 #include <stdexcept>
 #include <vector>
 
 #include "app/commands/settings_options.h"
 #include "core/drawing/gcode_choice.h"
+#include "core/drawing/settings.h"
 #include "core/output/pen_figures.h"
 #include "core/output/test_sheet.h"
 #include "core/text/number_words.h"
@@ -19,6 +24,19 @@
 #include "io/files/save_drawing.h"
 
 namespace dapple {
+
+class TestSheetCommand {
+ public:
+    explicit TestSheetCommand(CLI::App& program);
+
+ private:
+    void save() const;
+
+    DrawingSettings drawing_;
+    SavingChoice saving_;
+    std::filesystem::path output_;
+};
+
 namespace {
 
 // In the order in which a drawing has them.
@@ -105,6 +123,10 @@ void TestSheetCommand::save() const {
     if (is_plotted(format))
         fmt::print(stderr, "; {} on {}", time_in_words(time.total_s()), words_for(machine));
     fmt::print(stderr, "\n");
+}
+
+Command add_test_sheet_command(CLI::App& program) {
+    return std::make_shared<TestSheetCommand>(program);
 }
 
 }  // namespace dapple

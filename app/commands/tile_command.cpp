@@ -1,10 +1,17 @@
-#include "app/commands/tile_command.h"
+// dapple tile: the built-in tiles, and a tile drawn.
+
+#include "app/commands/commands.h"
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <iostream>
+#include <memory>
+#include <optional>
 #include <ostream>
+#include <string>
 
+#include "core/tile/ranking.h"
 #include "core/tile/tile.h"
 #include "io/command_line/files_in_use.h"
 #include "io/command_line/options.h"
@@ -14,6 +21,20 @@
 #include "io/reports/tile_figure.h"
 
 namespace dapple {
+
+class TileCommand {
+ public:
+    explicit TileCommand(CLI::App& program);
+
+ private:
+    void add_list(CLI::App& parent);
+    void add_show(CLI::App& parent);
+
+    std::string name_;  // TILE
+    std::filesystem::path output_;
+    std::optional<RankingMethod> ranking_;  // none: the tile's own
+};
+
 namespace {
 
 void list_tiles(std::ostream& out) {
@@ -66,6 +87,10 @@ void TileCommand::add_show(CLI::App& parent) {
         if (ranking_) stored = ranked(std::move(stored.tile), *ranking_);
         save_atomically(output_, [&](std::ostream& out) { write_tile_figure(out, stored); });
     });
+}
+
+Command add_tile_command(CLI::App& program) {
+    return std::make_shared<TileCommand>(program);
 }
 
 }  // namespace dapple

@@ -1,20 +1,29 @@
-#include "lab/commands/analyse.h"
+// dapple-lab analyse: how even a set of points is, and whether it repeats.
+
+#include "lab/commands/commands.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdint>
+#include <filesystem>
 #include <initializer_list>
+#include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
+#include "core/analysis/domain.h"
 #include "core/analysis/report.h"
 #include "core/analysis/spectrum.h"
+#include "core/drawing/settings.h"
 #include "core/text/number_words.h"
 #include "io/available_memory.h"
 #include "io/command_line/files_in_use.h"
 #include "io/command_line/options.h"
 #include "io/files/atomic_file.h"
 #include "io/files/drawing_format.h"
+#include "io/files/picture.h"
 #include "io/files/text_file.h"
 #include "io/settings/project.h"
 #include "lab/analysis/report_json.h"
@@ -23,6 +32,30 @@
 #include "lab/related/methods.h"
 
 namespace dapple {
+
+struct AnalyseOptions {
+    std::optional<std::filesystem::path> input;  // a table (.csv, .tsv, .txt), a drawing of ours (.json,
+                                                 // .svg) or a picture; none: a constant grey
+    std::filesystem::path output;                // .json, .html or .png
+    DrawingSettings drawing;                     // of a picture or a grey
+    double grey = 1;                             // its density
+    std::optional<std::string> method{};  // of a grey: whose dots, of related_methods(); none: this program's
+    std::uint64_t seed = 1;               // of the method
+    std::optional<Topology> topology;     // none: window, but torus for a grey
+    std::optional<double> width, height;  // of a table's domain; the width in mm of a picture's page
+    std::optional<double> period;         // of a table, in its unit
+    PictureLimit limit = PictureLimit::usual;
+    std::optional<double> memory;  // bytes that it may take; none: what is available
+};
+
+class AnalyseCommand {
+ public:
+    explicit AnalyseCommand(CLI::App& program);
+
+ private:
+    AnalyseOptions options_;
+};
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -165,6 +198,8 @@ void check_that_fit(const CLI::App& command, const AnalyseOptions& options) {
 
 }  // namespace
 
+// Reads, analyses and saves. Throws std::runtime_error with one sentence; what was at the output's place
+// stays then.
 void analyse(const AnalyseOptions& options) {
     const ReportFormat format = report_format(options.output);
     check_can_save(options.output);
@@ -242,6 +277,10 @@ AnalyseCommand::AnalyseCommand(CLI::App& program) {
         check_apart(*command, {"--output"}, {{options_.output, "the report"}});
         analyse(options_);
     });
+}
+
+Command add_analyse_command(CLI::App& program) {
+    return std::make_shared<AnalyseCommand>(program);
 }
 
 }  // namespace dapple

@@ -1,20 +1,28 @@
-#include "lab/commands/compare.h"
+// dapple-lab compare: this program and the methods that came before it, measured alike.
+
+#include "lab/commands/commands.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "core/image/tone.h"
 #include "io/command_line/files_in_use.h"
 #include "io/command_line/options.h"
 #include "io/command_line/remarks.h"
 #include "io/files/atomic_file.h"
-#include "io/files/text_file.h"
 #include "io/files/picture.h"
+#include "io/files/text_file.h"
 #include "io/progress_line.h"
 #include "io/signals.h"
 #include "lab/analysis/report_page.h"
@@ -24,6 +32,27 @@
 #include "lab/compare/measure.h"
 
 namespace dapple {
+
+struct CompareOptions {
+    std::vector<std::filesystem::path> pictures;  // none: the built-in still life
+    bool icons = false;                           // these too
+    std::vector<std::string> methods;             // by name; none: all
+    std::vector<std::size_t> dots{65'536};
+    std::size_t picture_dots = 10'000;
+    std::size_t most = 10'000'000;  // dots up to which time is measured
+    double seconds = 20;            // for one drawing
+    std::uint64_t seed = 1;
+    std::optional<std::filesystem::path> json, page;
+};
+
+class CompareCommand {
+ public:
+    explicit CompareCommand(CLI::App& program);
+
+ private:
+    CompareOptions options_;
+};
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -102,6 +131,8 @@ std::string in_lines(const std::string& text) {
 
 }  // namespace
 
+// Measures, saves, and prints tables on standard output. After Ctrl+C the tables have the methods that were
+// finished, and nothing is saved. Throws std::runtime_error with one sentence.
 void compare(const CompareOptions& options) {
     check_ending(options.json, ".json", ".json", "--json");
     check_ending(options.page, ".html", ".xhtml", "--page");
@@ -190,6 +221,10 @@ CompareCommand::CompareCommand(CLI::App& program) {
         check_apart(*command, {"--json", "--page"}, written);
         compare(options_);
     });
+}
+
+Command add_compare_command(CLI::App& program) {
+    return std::make_shared<CompareCommand>(program);
 }
 
 }  // namespace dapple

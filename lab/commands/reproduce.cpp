@@ -1,21 +1,42 @@
-#include "lab/commands/reproduce.h"
+// dapple-lab reproduce: every figure and number of the paper, made from scratch.
+
+#include "lab/commands/commands.h"
 
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
+#include <memory>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "core/text/shown_text.h"
 #include "io/command_line/files_in_use.h"
 #include "io/files/atomic_file.h"
 #include "io/reports/html.h"
 #include "lab/reproduce/figures.h"
+#include "lab/reproduce/printed_numbers.h"
 
 namespace dapple {
+
+struct ReproduceOptions {
+    std::filesystem::path folder;                     // made if it is missing
+    std::vector<std::filesystem::path> environments;  // latitude-longitude maps; none: a sky of our own
+};
+
+class ReproduceCommand {
+ public:
+    explicit ReproduceCommand(CLI::App& program);
+
+ private:
+    ReproduceOptions options_;
+};
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -76,6 +97,8 @@ void check_equal(std::span<const ComparedNumber> rows, const fs::path& page) {
                     rows.size(), page.string()));
 }
 
+// Writes index.html, a page that needs nothing beside it, and numbers.json into the folder. Says on standard
+// output how it went. Throws std::runtime_error if a file cannot be read or saved, and as check_equal().
 void reproduce(const ReproduceOptions& options) {
     make_folder(options.folder);
     const fs::path page_file = page_in(options.folder), numbers_file = numbers_in(options.folder);
@@ -181,6 +204,10 @@ ReproduceCommand::ReproduceCommand(CLI::App& program) {
                     {{page_in(options_.folder), "the page"}, {numbers_in(options_.folder), "the numbers"}});
         reproduce(options_);
     });
+}
+
+Command add_reproduce_command(CLI::App& program) {
+    return std::make_shared<ReproduceCommand>(program);
 }
 
 }  // namespace dapple

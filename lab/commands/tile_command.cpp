@@ -1,4 +1,6 @@
-#include "lab/commands/tile_command.h"
+// dapple-lab tile: the tile workshop - rules, search, rank, check.
+
+#include "lab/commands/commands.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -6,10 +8,14 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <memory>
 #include <nlohmann/json.hpp>
+#include <ostream>
 #include <set>
 #include <stdexcept>
+#include <string>
 
+#include "core/text/names.h"
 #include "core/text/shown_text.h"
 #include "io/command_line/files_in_use.h"
 #include "io/command_line/options.h"
@@ -18,11 +24,47 @@
 #include "io/files/tile_library.h"
 #include "lab/analysis/black_seams.h"
 #include "lab/commands/save_tile.h"
+#include "lab/commands/tile_search.h"
 #include "lab/search/ranking_search.h"
 #include "lab/search/rules.h"
 #include "lab/search/tile_marks.h"
 
 namespace dapple {
+
+/// How `tile rank` ranks points.
+enum class NewRanking { paper, farthest, energy, searched, stored };
+constexpr auto names_of(NewRanking) {
+    return names("paper", "farthest", "energy", "searched", "stored");
+}
+
+enum class CheckFormat { text, json };
+
+/// Which tiles `tile check` shows the words of: those whose words are few enough to look at, or all.
+enum class ShownWords { of_small_tiles, of_all };
+
+/// Writes all criteria of a tile. As text with its words, if they are shown; as JSON always with them.
+void check_tile(std::ostream& out, const std::string& name, CheckFormat format,
+                ShownWords words = ShownWords::of_small_tiles);
+
+class LabTileCommand {
+ public:
+    explicit LabTileCommand(CLI::App& program);
+
+ private:
+    void add_rules(CLI::App& parent);
+    void add_search(CLI::App& parent);
+    void add_rank(CLI::App& parent);
+    void add_check(CLI::App& parent);
+
+    std::string name_;  // TILE
+    std::filesystem::path output_;
+    NewRanking new_ranking_ = NewRanking::energy;
+    CheckFormat format_ = CheckFormat::text;
+    ShownWords words_ = ShownWords::of_small_tiles;
+    int rules_ = 20;  // listed
+    TileSearchOptions search_;
+};
+
 namespace {
 
 constexpr std::size_t kMostPointsInWords = 64;
@@ -206,6 +248,10 @@ void LabTileCommand::add_search(CLI::App& parent) {
         check_search_options(*command, search_);
         search_tiles(search_, std::cout);
     });
+}
+
+Command add_lab_tile_command(CLI::App& program) {
+    return std::make_shared<LabTileCommand>(program);
 }
 
 }  // namespace dapple

@@ -1,10 +1,17 @@
-#include "lab/commands/volume_command.h"
+// dapple-lab volume: even dots in space, of a density or of a point cloud.
+
+#include "lab/commands/commands.h"
 
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "io/command_line/files_in_use.h"
 #include "io/command_line/options.h"
@@ -20,6 +27,22 @@
 #include "lab/volume/volume_file.h"
 
 namespace dapple {
+
+class VolumeCommand {
+ public:
+    explicit VolumeCommand(CLI::App& program);
+
+ private:
+    void run(const CLI::App& command) const;
+
+    std::vector<std::filesystem::path> inputs_;
+    std::uint64_t dots_ = 10'000;
+    int relax_ = 20;
+    bool invert_ = false;
+    std::filesystem::path output_;
+    std::optional<std::filesystem::path> film_;
+};
+
 namespace {
 
 constexpr std::uint64_t kMostVolumeDots = 20'000'000;
@@ -144,6 +167,10 @@ void VolumeCommand::run(const CLI::App& command) const {
     ProgressLine line;
     save_film(*film_, [&](double share) { return turned_view(points, share, kTurn.longer_side); }, kTurn,
               {.stop = {}, .progress = [&](double share) { line.show(share, "drawing the film"); }});
+}
+
+Command add_volume_command(CLI::App& program) {
+    return std::make_shared<VolumeCommand>(program);
 }
 
 }  // namespace dapple

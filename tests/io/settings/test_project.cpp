@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "app/commands/settings_options.h"
-#include "app/commands/render_command.h"
+#include "app/commands/commands.h"
 #include "app/viewer/model/session.h"
 #include "app/viewer/model/viewer_settings.h"
 #include "core/image/mask.h"
@@ -173,7 +173,7 @@ struct ProjectSession {
 
 std::string rendered(const std::string& arguments, const fs::path& output) {
     CLI::App program;
-    const RenderCommand command(program);
+    const Command command = add_render_command(program);
     program.parse("render " + arguments + " -o " + output.string());
     return text_of(output);
 }

@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include "lab/commands/reproduce.h"
+#include "lab/commands/commands.h"
 #include "tests/file_text.h"
 #include "tests/run_in_shell.h"
 #include "tests/temporary_folder.h"
