@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/analysis/point_table.h"
+#include "lab/analysis/point_table.h"
 
 namespace dapple {
 

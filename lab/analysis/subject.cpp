@@ -9,7 +9,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "core/analysis/point_table.h"
 #include "core/drawing/pipeline.h"
 #include "core/image/exposure.h"
 #include "core/output/raster.h"
@@ -19,6 +18,7 @@
 #include "io/files/text_file.h"
 #include "io/files/tile_library.h"
 #include "lab/analysis/drawing_points.h"
+#include "lab/analysis/point_table.h"
 
 namespace dapple {
 namespace {

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "core/analysis/domain.h"
-#include "core/analysis/tone_fidelity.h"
 #include "core/drawing/settings.h"
 #include "core/image/grid.h"
 #include "io/files/picture.h"
+#include "lab/analysis/tone_fidelity.h"
 #include "lab/related/methods.h"
 
 namespace dapple {

@@ -22,7 +22,7 @@
 #include "io/files/atomic_file.h"
 #include "io/files/text_file.h"
 #include "io/files/tile_library.h"
-#include "lab/analysis/black_seams.h"
+#include "lab/analysis/seams.h"
 #include "lab/commands/save_tile.h"
 #include "lab/commands/tile_search.h"
 #include "lab/search/ranking_search.h"

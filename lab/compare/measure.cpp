@@ -14,8 +14,8 @@
 #include "core/analysis/periodogram.h"
 #include "core/analysis/spectrum.h"
 #include "core/image/tone.h"
-#include "lab/analysis/black_seams.h"
 #include "lab/analysis/report_page.h"
+#include "lab/analysis/seams.h"
 #include "lab/related/covered.h"
 
 namespace dapple {

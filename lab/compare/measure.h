@@ -35,7 +35,7 @@ struct GreyMarks {
     double effective_nyquist = 0;
     std::optional<double> star{};  // exactly; none for more than kMostForStar dots
     double l2_star = 0;
-    std::optional<double> seam{};  // the worst of core/output/seams.h at kSeamLoad; of what has tiles
+    std::optional<double> seam{};  // the worst of lab/analysis/seams.h at kSeamLoad; of what has tiles
     std::vector<Ring> radial_power{};
     std::string dots_png{}, spectrum_png{};  // to look at; only if wanted
 };

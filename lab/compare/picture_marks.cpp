@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/analysis/structure.h"
-#include "core/analysis/tone_fidelity.h"
 #include "core/image/density.h"
+#include "lab/analysis/tone_fidelity.h"
+#include "lab/compare/structure.h"
 
 namespace dapple {
 namespace {

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "core/image/grid.h"
-#include "core/output/raster_of_dots.h"
+#include "lab/analysis/seams.h"
 
 namespace dapple {
 
@@ -32,10 +32,10 @@ double fitted_radius(std::span<const glm::dvec2> dots, const Target& target);
 
 /// Drawing and target compared after a blur of one mean spacing.
 struct PictureMarks {
-    double ssim = 0, gradients = 0;         // core/analysis/structure.h
+    double ssim = 0, gradients = 0;         // lab/compare/structure.h
     double tone_error = 0;                  // root mean square, in linear light
     double mean_error = 0;                  // of drawing - target, in linear light
-    std::array<double, 4> ssim_by_light{};  // core/analysis/structure.h
+    std::array<double, 4> ssim_by_light{};  // lab/compare/structure.h
 };
 
 PictureMarks picture_marks(std::span<const glm::dvec2> dots, double radius, const Target& target);

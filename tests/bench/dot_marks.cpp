@@ -7,7 +7,7 @@
 #include "core/analysis/autocorrelation.h"
 #include "core/analysis/periodogram.h"
 #include "core/analysis/spectrum.h"
-#include "core/output/seams.h"
+#include "lab/analysis/seams.h"
 #include "core/relaxing/relax.h"
 #include "core/relaxing/stir.h"
 

@@ -32,7 +32,7 @@
 #include "core/image/detail.h"
 #include "core/image/ink.h"
 #include "core/image/tone.h"
-#include "core/output/seams.h"
+#include "lab/analysis/seams.h"
 #include "core/placing/page_density.h"
 #include "core/text/shown_text.h"
 #include "io/files/picture.h"

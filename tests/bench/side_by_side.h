@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "core/output/raster_of_dots.h"
+#include "lab/analysis/seams.h"
 
 namespace dapple {
 

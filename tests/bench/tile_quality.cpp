@@ -28,7 +28,7 @@
 #include "core/drawing/settings.h"
 #include "core/text/numbers.h"
 #include "io/files/tile_library.h"
-#include "lab/analysis/black_seams.h"
+#include "lab/analysis/seams.h"
 #include "lab/related/methods.h"
 #include "lab/related/wang_tiles.h"
 #include "tests/bench/dot_marks.h"

@@ -3,7 +3,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "core/analysis/point_table.h"
+#include "lab/analysis/point_table.h"
 #include "core/output/gcode.h"
 #include "core/pens/pen.h"
 #include "core/tile/tile_file.h"

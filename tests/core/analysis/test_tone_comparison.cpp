@@ -4,7 +4,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "core/analysis/tone_fidelity.h"
+#include "lab/analysis/tone_fidelity.h"
 
 using namespace dapple;
 

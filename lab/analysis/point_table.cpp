@@ -1,4 +1,4 @@
-#include "core/analysis/point_table.h"
+#include "lab/analysis/point_table.h"
 
 #include <fmt/format.h>
 

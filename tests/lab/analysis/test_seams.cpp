@@ -4,7 +4,7 @@
 #include <numbers>
 #include <vector>
 
-#include "core/output/seams.h"
+#include "lab/analysis/seams.h"
 #include "tests/point_sets.h"
 
 using namespace dapple;

@@ -1,12 +1,28 @@
-#include "core/output/seams.h"
+#include "lab/analysis/seams.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
-#include "core/output/raster_of_dots.h"
+#include "core/output/raster.h"
+#include "core/text/length.h"
 
 namespace dapple {
+
+Grid<float> raster_of_dots(std::span<const glm::dvec2> dots, double radius, const PixelPage& page) {
+    Dots columns;
+    columns.reserve(dots.size(), false);
+    for (const glm::dvec2 dot : dots) {
+        columns.x.push_back(float(dot.x));
+        columns.y.push_back(float(dot.y));
+    }
+    // A millimetre is a pixel.
+    const PageSize size{double(page.width), double(page.height), page.pixels_per_unit};
+    return coverage_of(stream_of(columns), size,
+                       {.dot_radius_mm = radius * page.pixels_per_unit, .dpi = kMmPerInch, .threads = 0});
+}
+
 namespace {
 
 constexpr double kPixelsPerSpacing = 12;
@@ -64,6 +80,29 @@ Seams seams(std::span<const glm::dvec2> dots, double load) {
     result.of_quarters = seam(4);
     result.of_eighths = seam(8);
     return result;
+}
+
+namespace {
+
+constexpr std::size_t kFewestDotsForSeams = 40'000;
+
+}  // namespace
+
+std::size_t full_level(const RankedTile& tile, std::size_t fewest_dots) {
+    std::size_t level = tile.tile().size();
+    while (level < fewest_dots) level *= 4;
+    return level;
+}
+
+Seams seams_on_black(RankedTile& tile) {
+    const Density black(Grid<float>(1, 1, 1.0f));
+    PlacingRequest request;
+    request.scale = static_cast<double>(full_level(tile, kFewestDotsForSeams)) / kDotsPerScale;
+    Stippling placed;
+    stipple(tile, black, PlacerKind::exact, request, placed);
+    std::vector<glm::dvec2> dots;
+    for_each_position(placed.dots, [&](float x, float y) { dots.emplace_back(x, y); });
+    return seams(dots, kSeamLoad);
 }
 
 }  // namespace dapple

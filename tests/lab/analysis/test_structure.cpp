@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "core/analysis/ssim.h"
-#include "core/analysis/structure.h"
+#include "lab/compare/structure.h"
 #include "core/image/tone.h"
 
 using namespace dapple;

@@ -1,4 +1,4 @@
-#include "core/analysis/tone_fidelity.h"
+#include "lab/analysis/tone_fidelity.h"
 
 #include <fmt/format.h>
 

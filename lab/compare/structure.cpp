@@ -1,4 +1,4 @@
-#include "core/analysis/structure.h"
+#include "lab/compare/structure.h"
 
 #include <algorithm>
 #include <cassert>
