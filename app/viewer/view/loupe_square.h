@@ -6,7 +6,7 @@
 
 #include "app/viewer/background/placed_drawing.h"
 #include "app/viewer/view/camera.h"
-#include "core/analysis/folding.h"
+#include "core/analysis/autocorrelation.h"
 
 namespace dapple {
 

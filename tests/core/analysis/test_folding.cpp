@@ -6,7 +6,7 @@
 #include <numeric>
 #include <vector>
 
-#include "core/analysis/folding.h"
+#include "core/analysis/autocorrelation.h"
 #include "tests/point_sets.h"
 
 namespace dapple {
