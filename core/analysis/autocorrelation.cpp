@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/analysis/domain.h"
-#include "core/analysis/point_grid.h"
+#include "core/analysis/distances.h"
 
 namespace dapple {
 

@@ -10,7 +10,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/analysis/point_grid.h"
+#include "core/analysis/distances.h"
 #include "core/image/grid.h"
 #include "lab/related/plain_lloyd.h"
 #include "lab/related/white_noise.h"

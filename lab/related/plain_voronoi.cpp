@@ -7,7 +7,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "core/analysis/point_grid.h"
+#include "core/analysis/distances.h"
 
 namespace dapple {
 namespace {

@@ -8,7 +8,7 @@
 #include <tuple>
 #include <utility>
 
-#include "core/analysis/point_grid.h"
+#include "core/analysis/distances.h"
 #include "core/tile/random.h"
 #include "lab/related/growing_grid.h"
 #include "lab/related/plain_lloyd.h"

@@ -7,7 +7,6 @@
 #include <stdexcept>
 
 #include "core/analysis/distances.h"
-#include "core/analysis/point_grid.h"
 #include "tests/point_sets.h"
 
 using namespace dapple;
