@@ -2,7 +2,7 @@
 // A drawing as pixels, the way a PNG has it.
 
 #include "core/drawing/drawing.h"
-#include "core/drawing/page_pixels.h"
+#include "core/drawing/write_drawing.h"
 #include "core/drawing/pipeline.h"
 
 namespace dapple {

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "app/commands/render_report.h"
-#include "core/drawing/drawing_file.h"
+#include "core/drawing/write_drawing.h"
 #include "core/drawing/pipeline.h"
 #include "core/image/ink_use.h"
 #include "core/output/raster.h"

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "core/drawing/drawing_file.h"
+#include "core/drawing/write_drawing.h"
 #include "core/drawing/page_setup.h"
 #include "core/drawing/settings.h"
 #include "core/output/sheet.h"

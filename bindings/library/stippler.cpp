@@ -8,8 +8,6 @@
 #include "bindings/library/state.h"
 #include "core/analysis/autocorrelation.h"
 #include "core/drawing/drawing_figures.h"
-#include "core/drawing/drawing_file.h"
-#include "core/drawing/page_pixels.h"
 #include "core/drawing/pipeline.h"
 #include "core/drawing/write_drawing.h"
 #include "core/placing/page_density.h"

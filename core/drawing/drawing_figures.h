@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/drawing/drawing.h"
-#include "core/drawing/drawing_file.h"
+#include "core/drawing/write_drawing.h"
 #include "core/drawing/pipeline.h"
 #include "core/drawing/settings.h"
 #include "core/output/findings.h"

@@ -2,12 +2,81 @@
 // A drawing as text: every kind of file that needs no library. PDF and pixels are written by app/files, which
 // has the libraries for them.
 
+#include <filesystem>
 #include <ostream>
+#include <stop_token>
+#include <string>
+#include <vector>
 
 #include "core/drawing/drawing.h"
+#include "core/drawing/pipeline.h"
+#include "core/drawing/settings.h"
+#include "core/image/grid.h"
+#include "core/output/drawing_format.h"
 #include "core/output/progress.h"
+#include "core/output/sheet.h"
 
 namespace dapple {
+
+// A plan's dots on their way into a file, or into those of its sheets, for the window and `dapple render`:
+//
+//     plan ──► drawing ──► the dots of its page, a sheet or a region ──► in order ──► file
+//
+// Only the first step, Pipeline::drawing(), needs the pipeline, which may then go on with other drawings. It
+// finds the scale; dots are placed for each part anew, except for Figure 8's and those of several pens.
+
+/// What is to be saved where.
+struct DrawingFile {
+    std::filesystem::path path;  // "-": the standard output
+    DrawingFormat format = DrawingFormat::svg;
+    DrawingSettings settings;
+    SavingChoice saving;
+    std::string embedded;  // see embedded_settings()
+};
+
+/// Where on a page a file's drawing lies.
+struct DrawnPage {
+    PageLayout layout;
+    Excerpt whole;
+    Excerpt part;  // the sheet or the region that is drawn, or the whole
+    std::vector<CutMark> cut_marks;
+
+    bool draws_whole() const { return part.part == whole.part; }
+};
+
+/// Throws as sheet_of() does.
+DrawnPage drawn_page(const PageLayout& layout, const Sheet& sheet = {});
+/// The region that is chosen, or the whole. Throws as region_of() does, and for a region narrower or lower
+/// than kShortestSideMm.
+DrawnPage drawn_page(const PageLayout& layout, const SavingChoice& saving);
+
+/// A rectangle on the page, in millimetres, seen from the excerpt's corner.
+Rectangle<double> seen_from(const Excerpt& excerpt, const PageLayout& layout,
+                            const Rectangle<double>& on_page);
+
+/// Where dots are placed for what is written: on the part, and on the whole page for lines, which are cut off
+/// at the part's edges.
+const Excerpt& placed_on(const DrawnPage& page, const DrawingFile& file);
+
+/// Whether the dots have to tell when they appear.
+bool needs_thresholds(const DrawingFile& file);
+
+/// What goes into the file of a drawing whose plan was made for it. Formats that are seen rather than plotted
+/// also get the dots that reach over the part's edges from beside it. If stopped, some are missing.
+DrawingToSave drawing_on(const DrawnPage& page, const PlannedDrawing& drawing, const DrawingFile& file,
+                         const std::stop_token& stop = {});
+
+// A page as a picture in memory: small ones, to be shown or to be part of a film.
+
+/// 8 bits a channel, with the settings' ink and paper, of dots in the order given.
+Grid<glm::u8vec3> page_pixels(const DrawingSettings& settings, const DrawingToSave& drawing);
+
+/// The same for strokes.
+Grid<glm::u8vec3> page_pixels(const DrawingSettings& settings, const StrokeStream& strokes,
+                              std::span<const Pen> pens, const PageSize& page, double dpi);
+
+/// The resolution at which a page's longer side has so many pixels.
+double dpi_for(const PageSize& page, int longer_side);
 
 /// Whether write_text_drawing() writes it.
 bool is_text(DrawingFormat format);

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "core/drawing/drawing.h"
-#include "core/drawing/drawing_file.h"
+#include "core/drawing/write_drawing.h"
 #include "core/output/progress.h"
 #include "io/files/drawing_format.h"
 

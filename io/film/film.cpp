@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/drawing/page_pixels.h"
+#include "core/drawing/write_drawing.h"
 #include "core/output/sheet.h"
 #include "io/film/plot_film.h"
 

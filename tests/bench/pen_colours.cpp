@@ -11,8 +11,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_precision.hpp>
 
-#include "core/drawing/drawing_file.h"
-#include "core/drawing/page_pixels.h"
+#include "core/drawing/write_drawing.h"
 #include "core/drawing/pipeline.h"
 #include "core/image/colour.h"
 #include "core/pens/separation.h"

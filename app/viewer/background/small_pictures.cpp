@@ -6,8 +6,7 @@
 
 #include "app/viewer/background/with_alpha.h"
 #include "app/viewer/background/workbench.h"
-#include "core/drawing/drawing_file.h"
-#include "core/drawing/page_pixels.h"
+#include "core/drawing/write_drawing.h"
 #include "core/image/colour.h"
 
 namespace dapple {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/drawing/drawing_figures.h"
-#include "core/drawing/drawing_file.h"
+#include "core/drawing/write_drawing.h"
 #include "core/drawing/gcode_choice.h"
 #include "core/output/pen_figures.h"
 #include "core/routing/short_way.h"

@@ -11,7 +11,7 @@
 #include "app/viewer/desktop/pasted_picture.h"
 #include "app/viewer/model/history.h"
 #include "app/viewer/model/viewer_settings.h"
-#include "core/drawing/drawing_file.h"
+#include "core/drawing/write_drawing.h"
 #include "core/settings/whole_path.h"
 #include "core/text/shown_text.h"
 #include "io/files/atomic_file.h"

@@ -6,7 +6,7 @@
 #include <random>
 #include <set>
 
-#include "core/drawing/page_pixels.h"
+#include "core/drawing/write_drawing.h"
 #include "core/output/pen_figures.h"
 #include "io/files/tile_library.h"
 #include "io/film/film.h"
