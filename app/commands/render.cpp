@@ -17,7 +17,7 @@
 #include "app/commands/render_report.h"
 #include "core/drawing/write_drawing.h"
 #include "core/drawing/pipeline.h"
-#include "core/image/ink_use.h"
+#include "core/image/auto_tone.h"
 #include "core/output/raster.h"
 #include "core/placing/stipple.h"
 #include "core/text/number_words.h"

@@ -10,7 +10,6 @@
 #include "core/image/auto_tone.h"
 #include "core/image/detail.h"
 #include "core/image/exposure.h"
-#include "core/image/ink_use.h"
 #include "core/maths/portable_math.h"
 #include "core/placing/page_density.h"
 #include "core/relaxing/stir.h"

@@ -12,7 +12,7 @@
 #include "app/viewer/panels/method_panels.h"
 #include "app/viewer/widgets/theme.h"
 #include "app/viewer/widgets/widgets.h"
-#include "core/image/ink_use.h"
+#include "core/image/auto_tone.h"
 
 namespace dapple {
 

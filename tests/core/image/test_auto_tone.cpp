@@ -6,7 +6,6 @@
 
 #include "core/image/auto_tone.h"
 #include "core/image/ink.h"
-#include "core/image/ink_use.h"
 
 using namespace dapple;
 

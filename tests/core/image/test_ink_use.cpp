@@ -1,7 +1,6 @@
 #include <doctest/doctest.h>
 
 #include "core/image/auto_tone.h"
-#include "core/image/ink_use.h"
 
 using namespace dapple;
 
