@@ -9,7 +9,6 @@
 #include "core/drawing/relaxed_stream.h"
 #include "core/image/auto_tone.h"
 #include "core/image/detail.h"
-#include "core/image/exposure.h"
 #include "core/maths/portable_math.h"
 #include "core/placing/page_density.h"
 #include "core/relaxing/stir.h"

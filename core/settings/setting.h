@@ -12,7 +12,7 @@
 #include <limits>
 
 #include "core/drawing/settings.h"
-#include "core/image/exposure.h"
+#include "core/image/auto_tone.h"
 #include "core/relaxing/relax.h"
 
 namespace dapple {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "core/image/detail.h"
-#include "core/image/exposure.h"
+#include "core/image/auto_tone.h"
 #include "core/relaxing/relax.h"
 #include "core/text/length.h"
 #include "core/text/numbers.h"

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "core/drawing/pipeline.h"
-#include "core/image/exposure.h"
+#include "core/image/auto_tone.h"
 #include "core/image/tone.h"
 #include "core/maths/portable_math.h"
 #include "core/text/shown_text.h"

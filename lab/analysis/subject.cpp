@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "core/drawing/pipeline.h"
-#include "core/image/exposure.h"
+#include "core/image/auto_tone.h"
 #include "core/output/raster.h"
 #include "core/text/length.h"
 #include "core/text/shown_text.h"

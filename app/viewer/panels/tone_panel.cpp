@@ -6,7 +6,7 @@
 
 #include "app/viewer/widgets/widgets.h"
 #include "core/image/detail.h"
-#include "core/image/exposure.h"
+#include "core/image/auto_tone.h"
 #include "core/settings/setting.h"
 
 namespace dapple {

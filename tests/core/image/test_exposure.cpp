@@ -8,7 +8,6 @@
 
 #include "core/drawing/pipeline.h"
 #include "core/image/auto_tone.h"
-#include "core/image/exposure.h"
 #include "core/image/histogram.h"
 
 using namespace dapple;
