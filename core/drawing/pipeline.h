@@ -20,7 +20,7 @@
 #include "core/image/density.h"
 #include "core/image/histogram.h"
 #include "core/image/ink.h"
-#include "core/image/refinement.h"
+#include "core/image/detail.h"
 #include "core/placing/dot_stream.h"
 #include "core/placing/page.h"
 #include "core/placing/stipple.h"

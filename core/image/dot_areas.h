@@ -5,7 +5,7 @@
 #include <cmath>
 #include <glm/vec2.hpp>
 
-#include "core/image/refinement.h"
+#include "core/image/detail.h"
 
 namespace dapple {
 

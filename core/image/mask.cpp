@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
-#include "core/image/refinement.h"
+#include "core/image/detail.h"
 #include "core/image/tone.h"
 #include "core/maths/portable_math.h"
 
