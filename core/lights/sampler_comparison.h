@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/image/environment.h"
-#include "core/lights/irradiance.h"
+#include "core/lights/lit_objects.h"
 #include "core/placing/stipple.h"
 #include "core/text/names.h"
 

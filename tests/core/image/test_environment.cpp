@@ -7,7 +7,7 @@
 
 #include "core/image/environment.h"
 #include "core/lights/direction.h"
-#include "core/lights/irradiance.h"
+#include "core/lights/lit_objects.h"
 
 using namespace dapple;
 

@@ -9,7 +9,7 @@
 
 #include "core/image/environment.h"
 #include "core/lights/direction.h"
-#include "core/lights/irradiance.h"
+#include "core/lights/lit_objects.h"
 #include "core/lights/light_samples.h"
 
 using namespace dapple;
