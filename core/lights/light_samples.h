@@ -10,19 +10,35 @@
 // weights L / (n pdf) only does on average.
 
 #include <cstdint>
+#include <functional>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <string_view>
 #include <vector>
 
 #include "core/image/environment.h"
-#include "core/lights/light_watch.h"
 #include "core/placing/stipple.h"
 #include "core/text/names.h"
 
 namespace dapple {
+
+// Progress and stopping, for whoever waits for light samples: with a map of many megapixels they take
+// seconds.
+
+struct LightWatch {
+    std::stop_token stop;                        // asks to give up
+    std::function<void(double share)> progress;  // told now and then, 0..1, never backwards
+
+    /// Tells how far it is. False: it is to be given up.
+    bool goes_on(double share) const {
+        if (stop.stop_requested()) return false;
+        if (progress) progress(share);
+        return true;
+    }
+};
 
 // The light of a map shared out among dots.
 //

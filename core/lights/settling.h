@@ -14,7 +14,7 @@
 
 #include "core/image/environment.h"
 #include "core/image/grid.h"
-#include "core/lights/light_watch.h"
+#include "core/lights/light_samples.h"
 
 namespace dapple {
 

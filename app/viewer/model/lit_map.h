@@ -11,7 +11,7 @@
 #include "app/viewer/model/lights_settings.h"
 #include "core/image/environment.h"
 #include "core/image/grid.h"
-#include "core/lights/light_watch.h"
+#include "core/lights/light_samples.h"
 #include "core/lights/lit_objects.h"
 
 namespace dapple {
