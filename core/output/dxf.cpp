@@ -13,8 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/output/plotted_dots.h"
-#include "core/output/plotted_strokes.h"
+#include "core/output/plotted.h"
 #include "core/text/text_buffer.h"
 
 namespace dapple {

@@ -13,8 +13,7 @@
 #include <string_view>
 #include <utility>
 
-#include "core/output/plotted_dots.h"
-#include "core/output/plotted_strokes.h"
+#include "core/output/plotted.h"
 #include "core/text/numbers.h"
 #include "core/text/text_buffer.h"
 #include "core/text/text_lines.h"

@@ -3,8 +3,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "core/output/plotted_dots.h"
-#include "core/output/plotted_strokes.h"
+#include "core/output/plotted.h"
 #include "core/text/text_buffer.h"
 
 namespace dapple {

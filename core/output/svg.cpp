@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/output/plotted_strokes.h"
+#include "core/output/plotted.h"
 #include "core/text/length.h"
 #include "core/text/text_buffer.h"
 

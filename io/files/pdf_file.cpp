@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "core/output/plotted_strokes.h"
+#include "core/output/plotted.h"
 #include "core/text/length.h"
 #include "core/text/shown_text.h"
 #include "io/files/pdf_layers.h"
