@@ -17,7 +17,6 @@
 #include "core/output/pen_figures.h"
 #include "core/output/plotting_time.h"
 #include "core/output/raster.h"
-#include "core/output/raster_strokes.h"
 #include "core/output/svg.h"
 #include "core/strokes/strokes.h"
 #include "core/text/length.h"

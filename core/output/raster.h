@@ -14,6 +14,7 @@
 #include "core/pens/pen.h"
 #include "core/placing/dot_stream.h"
 #include "core/placing/page.h"
+#include "core/strokes/strokes.h"
 
 namespace dapple {
 
@@ -60,5 +61,20 @@ Grid<glm::vec<3, Channel>> ink_on_paper(const Grid<float>& coverage, glm::vec3 i
 template <class Channel = std::uint8_t>
 Grid<glm::vec<3, Channel>> ink_on_paper(std::span<const Grid<float>> coverage, std::span<const Pen> pens,
                                         glm::vec3 paper);
+
+// Strokes as pixels, as core/output/raster.h has it for dots: a pixel's coverage is the share of its sample
+// points that a pen of that width, with round ends, has gone over.
+
+/// Draws the page in bands as rasterise() does of dots; request.dots_at_once is of lines here, 32 bytes each,
+/// and the radius has no say.
+void rasterise(const StrokeStream& strokes, const PageSize& page, const RasterRequest& request,
+               const CoverageSink& sink);
+
+/// The same for strokes of several pens, so many: a coverage for each.
+void rasterise_pens(const StrokeStream& strokes, const PageSize& page, const RasterRequest& request,
+                    std::size_t pens, const PenCoverageSink& sink);
+
+/// All bands in one.
+Grid<float> coverage_of(const StrokeStream& strokes, const PageSize& page, const RasterRequest& request);
 
 }  // namespace dapple

@@ -8,7 +8,6 @@
 
 #include "core/drawing/write_drawing.h"
 #include "core/output/raster.h"
-#include "core/output/raster_strokes.h"
 #include "core/text/shown_text.h"
 #include "io/files/atomic_file.h"
 #include "io/files/pdf_file.h"

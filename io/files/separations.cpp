@@ -13,7 +13,6 @@
 #include <string>
 
 #include "core/output/raster.h"
-#include "core/output/raster_strokes.h"
 #include "core/output/sheet.h"
 #include "core/text/length.h"
 #include "io/files/png_file.h"

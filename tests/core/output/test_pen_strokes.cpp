@@ -14,7 +14,7 @@
 #include "core/output/gcode.h"
 #include "core/output/hpgl.h"
 #include "core/output/pen_figures.h"
-#include "core/output/raster_strokes.h"
+#include "core/output/raster.h"
 #include "core/output/svg.h"
 #include "core/strokes/dot_shape.h"
 #include "core/strokes/drawing_style.h"
