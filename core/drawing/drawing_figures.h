@@ -12,7 +12,6 @@
 #include "core/output/findings.h"
 #include "core/output/pen_figures.h"
 #include "core/output/plotting_time.h"
-#include "core/output/preflight.h"
 
 namespace dapple {
 

@@ -4,7 +4,7 @@
 #include <random>
 #include <utility>
 
-#include "core/output/preflight.h"
+#include "core/output/findings.h"
 
 using namespace dapple;
 
