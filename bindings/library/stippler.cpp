@@ -10,7 +10,7 @@
 #include "core/drawing/drawing_figures.h"
 #include "core/drawing/pipeline.h"
 #include "core/drawing/write_drawing.h"
-#include "core/placing/page_density.h"
+#include "core/placing/page.h"
 #include "dapple/drawing.h"
 
 namespace dapple {

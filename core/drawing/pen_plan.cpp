@@ -11,7 +11,7 @@
 
 #include "core/image/dot_areas.h"
 #include "core/maths/portable_math.h"
-#include "core/placing/page_density.h"
+#include "core/placing/page.h"
 
 namespace dapple {
 namespace {

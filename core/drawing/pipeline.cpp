@@ -10,7 +10,7 @@
 #include "core/image/auto_tone.h"
 #include "core/image/detail.h"
 #include "core/maths/portable_math.h"
-#include "core/placing/page_density.h"
+#include "core/placing/page.h"
 #include "core/relaxing/stir.h"
 
 namespace dapple {

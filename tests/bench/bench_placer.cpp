@@ -12,7 +12,7 @@
 
 #include "core/image/density.h"
 #include "core/image/tone.h"
-#include "core/placing/page_density.h"
+#include "core/placing/page.h"
 #include "core/placing/stipple.h"
 #include "io/files/picture.h"
 #include "io/files/tile_library.h"

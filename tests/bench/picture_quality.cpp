@@ -33,7 +33,7 @@
 #include "core/image/ink.h"
 #include "core/image/tone.h"
 #include "lab/analysis/seams.h"
-#include "core/placing/page_density.h"
+#include "core/placing/page.h"
 #include "core/text/shown_text.h"
 #include "io/files/picture.h"
 #include "io/files/tile_library.h"

@@ -26,7 +26,7 @@
 
 #include "core/drawing/pipeline.h"
 #include "core/drawing/settings.h"
-#include "core/placing/page_density.h"
+#include "core/placing/page.h"
 #include "io/files/tile_library.h"
 
 namespace {

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "core/drawing/pipeline.h"
-#include "core/placing/page_density.h"
+#include "core/placing/page.h"
 #include "core/tile/neighbours.h"
 #include "core/tile/tile_file.h"
 #include "tests/file_text.h"

@@ -8,7 +8,7 @@
 #include <set>
 #include <utility>
 
-#include "core/placing/page_density.h"
+#include "core/placing/page.h"
 #include "core/placing/placer.h"
 #include "core/tile/ranking.h"
 #include "tests/densities.h"

@@ -10,7 +10,7 @@
 #include "app/viewer/background/dot_blocks.h"
 #include "app/viewer/background/workbench.h"
 #include "core/image/colour.h"
-#include "core/placing/page_density.h"
+#include "core/placing/page.h"
 #include "io/files/tile_library.h"
 #include "tests/densities.h"
 #include "tests/dot_pieces.h"

@@ -17,7 +17,7 @@
 #include "app/viewer/canvas/dot_card.h"
 #include "app/viewer/model/viewer_settings.h"
 #include "app/viewer/view/dot_origin.h"
-#include "core/placing/page_density.h"
+#include "core/placing/page.h"
 #include "io/files/tile_library.h"
 #include "tests/dot_pieces.h"
 #include "tests/headless_ui.h"
