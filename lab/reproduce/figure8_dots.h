@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/image/density.h"
-#include "core/placing/figure8.h"
+#include "core/placing/stipple.h"
 
 namespace dapple {
 

@@ -8,7 +8,7 @@
 #include <span>
 
 #include "core/analysis/distances.h"
-#include "core/placing/figure8.h"
+#include "core/placing/stipple.h"
 #include "core/tile/ranking.h"
 #include "core/tile/tile.h"
 #include "lab/search/cycle_search.h"

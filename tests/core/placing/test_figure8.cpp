@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "core/placing/figure8.h"
 #include "core/placing/stipple.h"
 #include "core/tile/ranking.h"
 #include "tests/densities.h"
