@@ -6,7 +6,7 @@
 #include <numbers>
 #include <utility>
 
-#include "core/relaxing/page_edge.h"
+#include "core/relaxing/page_rows.h"
 
 namespace dapple {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/relaxing/page_edge.h"
+#include "core/relaxing/page_rows.h"
 
 namespace dapple {
 
