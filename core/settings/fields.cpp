@@ -14,13 +14,18 @@
 #include <vector>
 
 #include "core/image/colour.h"
-#include "core/settings/whole_path.h"
 #include "core/text/base64.h"
 #include "core/text/numbers.h"
 #include "core/text/shown_text.h"
 #include "core/tile/built_in_tiles.h"
 
 namespace dapple {
+
+std::filesystem::path whole_path(const std::filesystem::path& path) {
+    std::error_code gone;
+    const std::filesystem::path whole = std::filesystem::absolute(path, gone);
+    return (gone ? path : whole).lexically_normal();
+}
 
 std::string packed_levels(const Grid<std::uint8_t>& grid) {
     const std::vector<std::uint8_t>& levels = grid.values;

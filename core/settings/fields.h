@@ -31,6 +31,11 @@
 
 namespace dapple {
 
+// A file's name from the root on.
+
+/// Lexically normal. A relative one stays as it is where the working folder is gone. Does not throw.
+std::filesystem::path whole_path(const std::filesystem::path& path);
+
 // A mask within settings: its levels and its finenesses, each packed and written in letters.
 
 /// The levels, row after row from the top, as zlib packs them (RFC 1950), in base64.

@@ -12,7 +12,7 @@
 #include "app/viewer/model/history.h"
 #include "app/viewer/model/viewer_settings.h"
 #include "core/drawing/write_drawing.h"
-#include "core/settings/whole_path.h"
+#include "core/settings/fields.h"
 #include "core/text/shown_text.h"
 #include "io/files/atomic_file.h"
 #include "io/files/text_file.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <system_error>
 
-#include "core/settings/whole_path.h"
+#include "core/settings/fields.h"
 #include "io/files/tile_library.h"
 #include "io/settings/xdg_folders.h"
 

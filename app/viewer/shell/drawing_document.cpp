@@ -27,7 +27,7 @@
 #include "app/viewer/shell/window.h"
 #include "app/viewer/widgets/keys.h"
 #include "app/viewer/widgets/widgets.h"
-#include "core/settings/whole_path.h"
+#include "core/settings/fields.h"
 #include "core/text/shown_text.h"
 #include "io/available_memory.h"
 #include "io/files/picture.h"

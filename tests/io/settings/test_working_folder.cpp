@@ -9,7 +9,7 @@
 
 #include "app/viewer/model/session.h"
 #include "app/viewer/model/tile_choices.h"
-#include "core/settings/whole_path.h"
+#include "core/settings/fields.h"
 #include "io/files/picture.h"
 #include "io/settings/xdg_folders.h"
 #include "tests/temporary_folder.h"
