@@ -1,12 +1,23 @@
 #pragma once
 // Lengths on paper, as people write them.
 
+#include <cstdint>
 #include <optional>
 #include <string_view>
 
 #include "core/text/names.h"
 
 namespace dapple {
+
+// How many of something, as people type it: "40k".
+
+/// A number: 0.25, 40000, 40,000, 40k, 1.5M, 2G, 1e5. Nothing if it is none. "10.000" is ten, not ten
+/// thousand.
+std::optional<double> quantity_of(std::string_view text);
+
+/// The same if it is a whole number, to 10^15. "10.000" is none: it is ten to some and ten thousand to
+/// others.
+std::optional<std::uint64_t> count_of(std::string_view text);
 
 /// What lengths are told in.
 enum class LengthUnit { mm, inch };

@@ -16,7 +16,6 @@
 #include "core/relaxing/relax.h"
 #include "core/text/length.h"
 #include "core/text/numbers.h"
-#include "core/text/quantity.h"
 #include "core/text/shown_text.h"
 #include "io/settings/palettes.h"
 

@@ -9,7 +9,7 @@
 
 #include "app/viewer/widgets/row.h"
 #include "app/viewer/widgets/theme.h"
-#include "core/text/quantity.h"
+#include "core/text/length.h"
 
 namespace dapple {
 
