@@ -19,7 +19,7 @@
 #include "core/maths/portable_math.h"
 #include "core/screening/threshold_mask.h"
 #include "core/screening/void_and_cluster.h"
-#include "core/text/numbers.h"
+#include "core/text/number_words.h"
 #include "io/command_line/files_in_use.h"
 #include "io/command_line/options.h"
 #include "io/command_line/remarks.h"

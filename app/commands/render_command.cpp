@@ -23,7 +23,7 @@
 #include "app/commands/settings_options.h"
 #include "core/drawing/drawing_figures.h"
 #include "core/drawing/gcode_choice.h"
-#include "core/text/numbers.h"
+#include "core/text/number_words.h"
 #include "io/command_line/files_in_use.h"
 #include "io/command_line/options.h"
 #include "io/files/atomic_file.h"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/text/length.h"
-#include "core/text/numbers.h"
+#include "core/text/number_words.h"
 
 namespace dapple {
 namespace {

@@ -14,7 +14,7 @@
 #include <utility>
 
 #include "core/output/plotted.h"
-#include "core/text/numbers.h"
+#include "core/text/number_words.h"
 #include "core/text/text_buffer.h"
 #include "core/text/text_lines.h"
 

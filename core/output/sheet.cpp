@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "core/text/length.h"
-#include "core/text/numbers.h"
+#include "core/text/number_words.h"
 #include "core/text/xml_text.h"
 
 namespace dapple {

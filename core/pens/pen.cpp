@@ -13,7 +13,7 @@
 #include "core/image/colour.h"
 #include "core/pens/separation.h"
 #include "core/text/length.h"
-#include "core/text/numbers.h"
+#include "core/text/number_words.h"
 
 namespace dapple {
 namespace {

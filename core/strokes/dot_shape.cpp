@@ -13,7 +13,7 @@
 #include <stdexcept>
 
 #include "core/maths/portable_math.h"
-#include "core/text/numbers.h"
+#include "core/text/number_words.h"
 
 namespace dapple {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "core/text/numbers.h"
+#include "core/text/number_words.h"
 
 namespace dapple {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "core/text/numbers.h"
+#include "core/text/number_words.h"
 
 namespace dapple {
 

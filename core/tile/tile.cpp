@@ -10,7 +10,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "core/text/numbers.h"
+#include "core/text/number_words.h"
 
 namespace dapple {
 

@@ -15,7 +15,7 @@
 #include "core/image/auto_tone.h"
 #include "core/relaxing/relax.h"
 #include "core/text/length.h"
-#include "core/text/numbers.h"
+#include "core/text/number_words.h"
 #include "core/text/shown_text.h"
 #include "io/settings/palettes.h"
 

@@ -13,7 +13,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/text/numbers.h"
+#include "core/text/number_words.h"
 #include "io/decoding/decode.h"
 #include "io/decoding/decoder_limits.h"
 #include "io/decoding/decoder_sandbox.h"

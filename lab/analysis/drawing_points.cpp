@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "core/text/length.h"
-#include "core/text/numbers.h"
+#include "core/text/number_words.h"
 
 namespace dapple {
 namespace {

@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "core/text/numbers.h"
+#include "core/text/number_words.h"
 #include "core/text/text_lines.h"
 
 namespace dapple {

@@ -16,7 +16,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/text/numbers.h"
+#include "core/text/number_words.h"
 #include "core/text/shown_text.h"
 #include "io/files/picture.h"
 #include "io/files/text_file.h"

@@ -26,7 +26,7 @@
 
 #include "core/drawing/request.h"
 #include "core/drawing/settings.h"
-#include "core/text/numbers.h"
+#include "core/text/number_words.h"
 #include "io/files/tile_library.h"
 #include "lab/analysis/seams.h"
 #include "lab/related/methods.h"

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "core/text/numbers.h"
+#include "core/text/number_words.h"
 #include "tests/fuzz/mutations.h"
 
 namespace dapple {
