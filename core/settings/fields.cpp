@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "core/image/colour.h"
-#include "core/text/base64.h"
+#include "core/text/xml_text.h"
 #include "core/text/number_words.h"
 #include "core/text/shown_text.h"
 #include "core/tile/built_in_tiles.h"

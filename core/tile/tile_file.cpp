@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "core/text/base64.h"
+#include "core/text/xml_text.h"
 #include "core/text/text_lines.h"
 
 namespace dapple {

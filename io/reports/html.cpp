@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "core/text/base64.h"
 #include "core/text/xml_text.h"
 
 namespace dapple {

@@ -4,7 +4,6 @@
 #include <pugixml.hpp>
 #include <string>
 
-#include "core/text/base64.h"
 #include "core/text/xml_text.h"
 #include "io/reports/html.h"
 #include "io/reports/plot.h"
