@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/maths/portable_math.h"
-#include "core/text/text_buffer.h"
+#include "core/text/text_lines.h"
 
 namespace dapple {
 

@@ -2,7 +2,7 @@
 
 #include <cassert>
 
-#include "core/text/text_buffer.h"
+#include "core/text/text_lines.h"
 
 namespace dapple {
 

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "core/output/plotted.h"
-#include "core/text/text_buffer.h"
+#include "core/text/text_lines.h"
 
 namespace dapple {
 namespace {

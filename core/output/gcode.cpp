@@ -15,7 +15,6 @@
 
 #include "core/output/plotted.h"
 #include "core/text/number_words.h"
-#include "core/text/text_buffer.h"
 #include "core/text/text_lines.h"
 
 namespace dapple {

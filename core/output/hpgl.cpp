@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "core/output/plotted.h"
-#include "core/text/text_buffer.h"
+#include "core/text/text_lines.h"
 
 namespace dapple {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "core/output/plotted.h"
 #include "core/text/length.h"
-#include "core/text/text_buffer.h"
+#include "core/text/text_lines.h"
 
 namespace dapple {
 namespace {

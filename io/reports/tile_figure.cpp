@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "core/text/length.h"
-#include "core/text/text_buffer.h"
+#include "core/text/text_lines.h"
 
 namespace dapple {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "core/image/colour.h"
 #include "core/output/svg.h"
-#include "core/text/text_buffer.h"
+#include "core/text/text_lines.h"
 
 using namespace dapple;
 
