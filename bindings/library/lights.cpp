@@ -10,7 +10,7 @@
 #include "core/image/environment.h"
 #include "core/lights/direction.h"
 #include "core/lights/light_samples.h"
-#include "core/tile/built_in_tiles.h"
+#include "core/tile/tile_file.h"
 
 namespace dapple {
 

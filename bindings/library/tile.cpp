@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "bindings/library/state.h"
-#include "core/tile/built_in_tiles.h"
+#include "core/tile/tile_file.h"
 
 namespace dapple {
 

@@ -17,7 +17,7 @@
 #include "core/text/xml_text.h"
 #include "core/text/number_words.h"
 #include "core/text/shown_text.h"
-#include "core/tile/built_in_tiles.h"
+#include "core/tile/tile_file.h"
 
 namespace dapple {
 

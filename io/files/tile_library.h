@@ -9,7 +9,6 @@
 #include <string>
 
 #include "core/placing/stipple.h"
-#include "core/tile/built_in_tiles.h"
 #include "core/tile/tile_file.h"
 #include "io/files/text_file.h"
 

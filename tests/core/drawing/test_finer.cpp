@@ -12,7 +12,7 @@
 #include "core/drawing/pipeline.h"
 #include "core/image/tone.h"
 #include "core/placing/page.h"
-#include "core/tile/built_in_tiles.h"
+#include "core/tile/tile_file.h"
 #include "tests/dot_pieces.h"
 #include "tests/drawn_pixels.h"
 #include "tests/mean_light.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/drawing/pipeline.h"
-#include "core/tile/built_in_tiles.h"
+#include "core/tile/tile_file.h"
 #include "tests/drawn_pixels.h"
 #include "tests/mean_light.h"
 
