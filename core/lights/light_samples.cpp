@@ -22,7 +22,7 @@
 #include "core/lights/direction.h"
 #include "core/lights/settling.h"
 #include "core/maths/portable_math.h"
-#include "core/tile/neighbours.h"
+#include "core/tile/tile.h"
 #include "core/tile/random.h"
 
 namespace dapple {

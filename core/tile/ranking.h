@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "core/text/names.h"
-#include "core/tile/neighbours.h"
 #include "core/tile/tile.h"
 
 namespace dapple {

@@ -14,7 +14,7 @@
 #include <glm/vec2.hpp>
 #include <vector>
 
-#include "core/tile/neighbours.h"
+#include "core/tile/tile.h"
 
 namespace dapple {
 

@@ -12,7 +12,7 @@
 
 #include "core/drawing/pipeline.h"
 #include "core/placing/page.h"
-#include "core/tile/neighbours.h"
+#include "core/tile/tile.h"
 #include "core/tile/tile_file.h"
 #include "tests/file_text.h"
 #include "tests/places.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "core/tile/neighbours.h"
+#include "core/tile/tile.h"
 
 using namespace dapple;
 
