@@ -22,7 +22,6 @@
 #include "io/film/film.h"
 #include "io/film/save_film.h"
 #include "io/progress_line.h"
-#include "io/settings/embedded_settings.h"
 #include "io/settings/project.h"
 
 namespace dapple {

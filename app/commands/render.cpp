@@ -33,7 +33,7 @@
 #include "io/files/standard_input.h"
 #include "io/files/tile_library.h"
 #include "io/progress_line.h"
-#include "io/settings/embedded_settings.h"
+#include "io/settings/project.h"
 
 namespace dapple {
 

@@ -9,7 +9,7 @@
 
 #include "core/drawing/settings.h"
 #include "io/files/picture.h"
-#include "io/settings/embedded_settings.h"
+#include "io/settings/project.h"
 
 namespace CLI {
 class App;

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/settings/embedded_settings.h"
+#include "io/settings/project.h"
 
 namespace dapple {
 

@@ -1,9 +1,117 @@
 #include "io/settings/project.h"
 
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <stdexcept>
+#include <string_view>
+
+#include "core/output/svg.h"
+#include "core/settings/drawing_fields.h"
+#include "core/text/shown_text.h"
 #include "io/files/atomic_file.h"
+#include "io/files/png_file.h"
 #include "io/files/text_file.h"
 
 namespace dapple {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Ours come first in both kinds of files, and are short.
+constexpr TextKind kDrawing{.what = "drawing", .most_bytes = 1'000'000, .beginning = true};
+
+// Programs that save an SVG again may write a quote so.
+std::string without_entities(std::string_view text) {
+    constexpr std::string_view kQuote = "&quot;";
+    std::string plain;
+    for (std::size_t at = 0; at < text.size();) {
+        const bool quote = text.substr(at).starts_with(kQuote);
+        plain += quote ? '"' : text[at];
+        at += quote ? kQuote.size() : 1;
+    }
+    return plain;
+}
+
+std::optional<std::string> settings_in_svg(std::string_view bytes) {
+    const std::size_t element = bytes.find(fmt::format("<{}", kSvgSettingsElement));
+    if (element == bytes.npos) return std::nullopt;
+    const std::size_t from = bytes.find('>', element), to = bytes.find("</", element);
+    if (from == bytes.npos || to == bytes.npos || to < from) return std::nullopt;
+    return without_entities(bytes.substr(from + 1, to - from - 1));
+}
+
+std::uint32_t big_endian(std::string_view bytes) {
+    std::uint32_t number = 0;
+    for (const char byte : bytes.substr(0, 4)) number = number << 8 | static_cast<unsigned char>(byte);
+    return number;
+}
+
+// Chunks are a length, a name of four letters, so many bytes and a checksum of four.
+std::optional<std::string> settings_in_png(std::string_view bytes) {
+    constexpr std::string_view kSignature = "\x89PNG\r\n\x1a\n";
+    const std::string begin = std::string(kPngSettingsKeyword) + '\0';
+    if (!bytes.starts_with(kSignature)) return std::nullopt;
+    bytes.remove_prefix(kSignature.size());
+    while (bytes.size() >= 12) {
+        const std::size_t size = big_endian(bytes);
+        const std::string_view name = bytes.substr(4, 4);
+        if (name == "IDAT" || size > bytes.size() - 12) return std::nullopt;
+        const std::string_view content = bytes.substr(8, size);
+        if (name == "tEXt" && content.starts_with(begin)) return std::string(content.substr(begin.size()));
+        bytes.remove_prefix(size + 12);
+    }
+    return std::nullopt;
+}
+
+bool is_drawing(const fs::path& file) {
+    const std::string ending = ending_of(file);
+    return ending == ".svg" || ending == ".png";
+}
+
+std::optional<std::string> settings_in_drawing(const fs::path& file) {
+    const std::string bytes = text_of_file(file, kDrawing);
+    return ending_of(file) == ".svg" ? settings_in_svg(bytes) : settings_in_png(bytes);
+}
+
+}  // namespace
+
+std::string embedded_settings(const fs::path& drawing_file, const DrawingSettings& drawing,
+                              const SavingChoice& saving) {
+    try {
+        return changed_drawing_settings({drawing_file, FileNames::relative}, drawing, saving);
+    } catch (const std::runtime_error&) {
+        return {};
+    }
+}
+
+std::optional<std::string> settings_inside(const fs::path& file) {
+    try {
+        return is_drawing(file) ? settings_in_drawing(file) : std::nullopt;
+    } catch (const std::runtime_error&) {
+        return std::nullopt;
+    }
+}
+
+SavedSettings settings_from(const fs::path& file) {
+    SavedSettings settings;
+    const Describe describe_it = [&](Fields& fields) {
+        describe_drawing(fields, settings.drawing, settings.saving);
+    };
+    if (!is_drawing(file)) {
+        read_settings(text_of_settings(file), {file}, describe_it);
+        return settings;
+    }
+    const std::optional<std::string> inside = settings_in_drawing(file);
+    if (!inside)
+        throw std::runtime_error(
+            printable(file.native()) +
+            ": has no Dapple settings in it; choose a project or a drawing that Dapple made");
+    read_settings(*inside, {file}, describe_it);
+    return settings;
+}
+
 namespace {
 
 namespace fs = std::filesystem;

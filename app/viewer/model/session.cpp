@@ -22,7 +22,7 @@
 #include "io/files/sheet_files.h"
 #include "io/files/tile_library.h"
 #include "io/film/save_film.h"
-#include "io/settings/embedded_settings.h"
+#include "io/settings/project.h"
 #include "io/settings/presets.h"
 
 namespace dapple {

@@ -23,7 +23,6 @@
 #include "app/viewer/model/shown_pens.h"
 #include "app/viewer/model/tile_choices.h"
 #include "app/viewer/model/viewer_settings.h"
-#include "io/settings/embedded_settings.h"
 #include "io/settings/project.h"
 
 namespace dapple {

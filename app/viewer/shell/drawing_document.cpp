@@ -33,7 +33,7 @@
 #include "io/files/picture.h"
 #include "io/files/text_file.h"
 #include "io/files/tile_library.h"
-#include "io/settings/embedded_settings.h"
+#include "io/settings/project.h"
 #include "io/settings/presets.h"
 #include "io/settings/xdg_folders.h"
 

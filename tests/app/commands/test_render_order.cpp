@@ -19,7 +19,7 @@
 #include "io/files/picture.h"
 #include "io/files/save_drawing.h"
 #include "io/files/tile_library.h"
-#include "io/settings/embedded_settings.h"
+#include "io/settings/project.h"
 #include "tests/file_text.h"
 #include "tests/render_scene.h"
 #include "tests/run_in_shell.h"

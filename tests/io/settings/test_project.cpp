@@ -17,7 +17,6 @@
 #include "core/image/mask.h"
 #include "core/settings/drawing_fields.h"
 #include "core/settings/fields.h"
-#include "io/settings/embedded_settings.h"
 #include "io/settings/project.h"
 #include "tests/file_text.h"
 #include "tests/places.h"
