@@ -14,7 +14,7 @@
 
 #include "core/text/shown_text.h"
 #include "io/files/text_file.h"
-#include "io/settings/named_files.h"
+#include "io/settings/project.h"
 #include "io/settings/xdg_folders.h"
 
 namespace dapple {
