@@ -30,7 +30,7 @@
 #include "io/files/picture.h"
 #include "io/files/save_drawing.h"
 #include "io/files/separations.h"
-#include "io/files/standard_input.h"
+#include "io/files/text_file.h"
 #include "io/files/tile_library.h"
 #include "io/progress_line.h"
 #include "io/settings/project.h"
