@@ -18,7 +18,7 @@
 #include "core/drawing/settings.h"
 #include "core/output/sheet.h"
 #include "io/files/atomic_file.h"
-#include "io/files/drawing_format.h"
+#include "io/files/save_drawing.h"
 #include "io/files/picture.h"
 
 namespace dapple {

@@ -9,10 +9,15 @@
 
 #include "core/drawing/drawing.h"
 #include "core/drawing/write_drawing.h"
+#include "core/output/drawing_format.h"
 #include "core/output/progress.h"
-#include "io/files/drawing_format.h"
 
 namespace dapple {
+
+// The kind of file that a name asks for.
+
+/// What a name's ending says, in upper or lower case. Throws std::runtime_error if it is another.
+DrawingFormat drawing_format(const std::filesystem::path& path);
 
 /// For someone who waits.
 struct SavingWatch {

@@ -9,7 +9,7 @@
 #include "core/output/sheet.h"
 #include "core/text/shown_text.h"
 #include "io/files/atomic_file.h"
-#include "io/files/drawing_format.h"
+#include "io/files/save_drawing.h"
 #include "io/files/separations.h"
 
 namespace dapple {

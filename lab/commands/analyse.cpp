@@ -22,7 +22,7 @@
 #include "io/command_line/files_in_use.h"
 #include "io/command_line/options.h"
 #include "io/files/atomic_file.h"
-#include "io/files/drawing_format.h"
+#include "io/files/save_drawing.h"
 #include "io/files/picture.h"
 #include "io/files/text_file.h"
 #include "io/settings/project.h"
