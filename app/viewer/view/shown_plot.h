@@ -11,7 +11,7 @@
 #include "app/viewer/background/background.h"
 #include "app/viewer/background/placed_drawing.h"
 #include "core/drawing/settings.h"
-#include "io/film/plot_film.h"
+#include "io/film/film.h"
 
 namespace dapple {
 

@@ -10,7 +10,6 @@
 #include "core/output/pen_figures.h"
 #include "io/files/tile_library.h"
 #include "io/film/film.h"
-#include "io/film/plot_film.h"
 
 namespace dapple {
 namespace {
