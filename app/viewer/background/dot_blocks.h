@@ -2,6 +2,7 @@
 // A drawing's dots in blocks that lie together on the page, so that who draws a part of it need not look at
 // all of them.
 
+#include <algorithm>
 #include <cstddef>
 #include <glm/gtc/type_precision.hpp>
 #include <glm/vec2.hpp>
@@ -9,12 +10,22 @@
 #include <vector>
 
 #include "core/image/colour.h"
+#include "core/image/grid.h"
 #include "core/placing/dots.h"
 #include "core/placing/placer.h"
 #include "core/text/names.h"
 #include "core/tile/tile.h"
 
 namespace dapple {
+
+// Pictures as textures take them.
+
+inline Grid<glm::u8vec4> with_alpha(const Grid<glm::u8vec3>& picture) {
+    Grid<glm::u8vec4> opaque(picture.width, picture.height);
+    std::ranges::transform(picture.values, opaque.values.begin(),
+                           [](glm::u8vec3 pixel) { return glm::u8vec4(pixel, 255); });
+    return opaque;
+}
 
 // Dots in colours that show where in the subdivision they come from.
 

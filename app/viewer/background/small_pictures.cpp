@@ -4,7 +4,7 @@
 #include <exception>
 #include <utility>
 
-#include "app/viewer/background/with_alpha.h"
+#include "app/viewer/background/dot_blocks.h"
 #include "app/viewer/background/workbench.h"
 #include "core/drawing/write_drawing.h"
 #include "core/image/colour.h"

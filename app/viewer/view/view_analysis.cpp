@@ -9,7 +9,7 @@
 #include <limits>
 #include <utility>
 
-#include "app/viewer/background/with_alpha.h"
+#include "app/viewer/background/dot_blocks.h"
 #include "core/analysis/spectrum.h"
 
 namespace dapple {
