@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "app/viewer/background/background.h"
-#include "app/viewer/background/placed_drawing.h"
+#include "app/viewer/background/dots_request.h"
 #include "app/viewer/background/tile_view.h"
 #include "core/drawing/pipeline.h"
 #include "io/files/picture.h"

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "app/viewer/background/placed_drawing.h"
+#include "app/viewer/background/dots_request.h"
 #include "app/viewer/canvas/camera_mouse.h"
 #include "app/viewer/canvas/gl_objects.h"
 #include "app/viewer/model/mask_brush.h"

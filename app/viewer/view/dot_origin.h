@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/viewer/background/placed_drawing.h"
+#include "app/viewer/background/dots_request.h"
 #include "app/viewer/view/camera.h"
 
 namespace dapple {

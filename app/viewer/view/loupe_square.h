@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "app/viewer/background/placed_drawing.h"
+#include "app/viewer/background/dots_request.h"
 #include "app/viewer/view/camera.h"
 #include "core/analysis/autocorrelation.h"
 

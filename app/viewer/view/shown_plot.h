@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/viewer/background/background.h"
-#include "app/viewer/background/placed_drawing.h"
+#include "app/viewer/background/dots_request.h"
 #include "core/drawing/settings.h"
 #include "io/film/film.h"
 
