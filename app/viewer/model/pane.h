@@ -7,12 +7,31 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <set>
+#include <span>
+#include <string>
 
 #include "app/viewer/background/worker.h"
 #include "app/viewer/model/viewer_settings.h"
 #include "app/viewer/view/camera.h"
+#include "core/pens/pen.h"
 
 namespace dapple {
+
+// Which pens' dots are looked at. A way of looking, as the zoom is: files have all pens, and it is neither
+// saved nor undone.
+
+/// By their names, so that it stays with a pen while others come and go.
+struct ShownPens {
+    std::set<std::string> hidden = {};
+    std::string only =
+        {};  // this one alone, hidden or not; empty, or no longer there: all that are not hidden
+
+    bool operator==(const ShownPens&) const = default;
+};
+
+/// A bit for each of the pens that is not to be seen, as Dots::pen counts them.
+std::uint32_t hidden_among(std::span<const Pen> pens, const ShownPens& shown);
 
 /// How the page is looked at.
 struct Zoom {

@@ -20,7 +20,6 @@
 #include "app/viewer/model/mask_brush.h"
 #include "app/viewer/model/pane.h"
 #include "app/viewer/model/played_film.h"
-#include "app/viewer/model/shown_pens.h"
 #include "app/viewer/model/tile_choices.h"
 #include "app/viewer/model/viewer_settings.h"
 #include "io/settings/project.h"

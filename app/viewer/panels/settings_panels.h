@@ -14,7 +14,7 @@
 #include "app/viewer/model/crop_percent.h"
 #include "app/viewer/model/drawn_info.h"
 #include "app/viewer/model/mask_brush.h"
-#include "app/viewer/model/shown_pens.h"
+#include "app/viewer/model/pane.h"
 #include "app/viewer/panels/window_panels.h"
 #include "app/viewer/widgets/picture_entry.h"
 #include "core/drawing/page_setup.h"
