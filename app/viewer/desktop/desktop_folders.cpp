@@ -5,7 +5,7 @@
 #include <string>
 #include <system_error>
 
-#include "app/viewer/desktop/pasted_files.h"
+#include "app/viewer/desktop/pasted_picture.h"
 
 namespace dapple {
 namespace {

@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "app/viewer/desktop/desktop_folders.h"
-#include "app/viewer/desktop/pasted_files.h"
 #include "app/viewer/desktop/pasted_picture.h"
 #include "app/viewer/model/session.h"
 #include "app/viewer/model/tile_choices.h"

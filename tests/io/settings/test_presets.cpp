@@ -7,7 +7,7 @@
 #include <string>
 
 #include "app/viewer/desktop/desktop_folders.h"
-#include "app/viewer/desktop/pasted_files.h"
+#include "app/viewer/desktop/pasted_picture.h"
 #include "app/viewer/model/session.h"
 #include "app/viewer/panels/settings_panels.h"
 #include "core/settings/drawing_fields.h"
