@@ -17,7 +17,7 @@
 #include "app/viewer/canvas/page_frame.h"
 #include "app/viewer/canvas/pane_view.h"
 #include "app/viewer/canvas/split_divider.h"
-#include "app/viewer/desktop/dot_limit.h"
+#include "app/viewer/desktop/desktop_folders.h"
 #include "app/viewer/desktop/pasted_picture.h"
 #include "app/viewer/panels/window_panels.h"
 #include "app/viewer/panels/export_panel.h"
