@@ -17,7 +17,7 @@
 #include <utility>
 
 #include "app/viewer/model/session.h"
-#include "app/viewer/shell/changes_question.h"
+#include "app/viewer/shell/asking.h"
 #include "core/text/shown_text.h"
 #include "io/settings/project.h"
 

@@ -15,7 +15,7 @@
 #include "app/viewer/model/session.h"
 #include "app/viewer/model/tile_choices.h"
 #include "app/viewer/panels/window_panels.h"
-#include "app/viewer/shell/changes_question.h"
+#include "app/viewer/shell/asking.h"
 #include "core/text/shown_text.h"
 #include "io/files/tile_library.h"
 #include "io/settings/xdg_folders.h"

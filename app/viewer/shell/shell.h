@@ -11,7 +11,6 @@
 #include "app/viewer/panels/command_palette.h"
 #include "app/viewer/shell/asking.h"
 #include "app/viewer/shell/document.h"
-#include "app/viewer/shell/file_question.h"
 #include "app/viewer/shell/kept_drawings.h"
 #include "app/viewer/shell/memory.h"
 #include "app/viewer/shell/status_log.h"

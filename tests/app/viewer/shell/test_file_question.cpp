@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/viewer/shell/file_question.h"
+#include "app/viewer/shell/asking.h"
 #include "tests/headless_ui.h"
 
 namespace dapple {
