@@ -27,7 +27,7 @@
 #include "app/viewer/canvas/gl_objects.h"
 #include "app/viewer/canvas/processor_dots.h"
 #include "app/viewer/view/camera.h"
-#include "app/viewer/view/dot_samples.h"
+#include "app/viewer/view/dot_raster.h"
 #include "app/viewer/view/frame_budget.h"
 #include "core/image/rectangle.h"
 #include "core/pens/pen.h"
