@@ -1,12 +1,21 @@
 #pragma once
 // The page's margins and sheets as lines on it: over the canvas, behind ImGui's windows.
 
+#include <glm/vec2.hpp>
+#include <span>
+
 #include "app/viewer/canvas/camera_mouse.h"
 #include "app/viewer/view/camera.h"
 #include "core/drawing/page_setup.h"
 #include "core/output/sheet.h"
 
 namespace dapple {
+
+// The pen of a plot that is shown, and where it came from.
+
+/// Draws the pen at the last of the places, page units from the picture's corner, with a line through those
+/// before it that fades.
+void draw_pen_trail(std::span<const glm::dvec2> places, const Camera& camera, const CanvasPlace& place);
 
 /// Nothing on a page without margins.
 void draw_margin_lines(const PageLayout& layout, const Camera& camera, const CanvasPlace& place);

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "app/viewer/canvas/pen_trail.h"
+#include "app/viewer/canvas/page_frame.h"
 #include "app/viewer/panels/window_panels.h"
 #include "app/viewer/shell/window.h"
 #include "core/text/shown_text.h"
