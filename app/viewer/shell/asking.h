@@ -11,7 +11,7 @@
 #include "app/viewer/background/background.h"
 #include "app/viewer/shell/file_dialog.h"
 #include "app/viewer/shell/memory.h"
-#include "app/viewer/widgets/list_keys.h"
+#include "app/viewer/widgets/dialog.h"
 
 namespace dapple {
 

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/viewer/widgets/list_keys.h"
+#include "app/viewer/widgets/dialog.h"
 
 namespace dapple {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/viewer/shell/file_dialog.h"
-#include "app/viewer/widgets/list_keys.h"
+#include "app/viewer/widgets/dialog.h"
 #include "app/viewer/widgets/picture_entry.h"
 #include "app/viewer/widgets/row.h"
 #include "tests/file_text.h"
