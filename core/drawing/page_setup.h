@@ -19,7 +19,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/image/framing.h"
+#include "core/image/mask.h"
 #include "core/image/rectangle.h"
 #include "core/placing/page.h"
 #include "core/text/names.h"

@@ -3,7 +3,6 @@
 
 #include <glm/vec2.hpp>
 
-#include "core/image/framing.h"
 #include "core/image/grid.h"
 #include "core/image/mask.h"
 

@@ -13,7 +13,7 @@
 #include "core/drawing/page_setup.h"
 #include "core/drawing/settings.h"
 #include "core/image/density.h"
-#include "core/image/framing.h"
+#include "core/image/mask.h"
 #include "core/image/histogram.h"
 #include "core/image/ink.h"
 #include "core/image/tone.h"
