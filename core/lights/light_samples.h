@@ -4,7 +4,7 @@
 //      map -> density -> placer -> dots -> regions -> samples
 //
 // The placer puts n dots in proportion to luminance * sin theta. Each dot stands for a region: the texels'
-// light is shared out among the dots (core/lights/settling.h, core/lights/regions.h) so that none is lost or
+// light is shared out among the dots (core/lights/settling.h, and regions below) so that none is lost or
 // counted twice. The
 // weights therefore sum to the map's flux for every n, every map and every seed: what a light list of fixed
 // weights L / (n pdf) only does on average.
@@ -90,7 +90,7 @@ constexpr auto names_of(SampleRadiance) {
 }
 
 enum class LightOrder {
-    priority,  // the most important first: see core/lights/light_order.h
+    priority,  // the most important first
     placed,    // suns with samples of their own, then as the placer has it
 };
 constexpr auto names_of(LightOrder) {

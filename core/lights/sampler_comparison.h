@@ -21,7 +21,7 @@ enum class LightSampler {
     uniform,     // directions at random over the sphere
     importance,  // at random in proportion to light: row, then column, by inverting the cumulative sums
     stratified,  // the same, with one random number in each of sqrt(n) x sqrt(n) equal squares
-    sobol,       // the same, of Sobol' points with Owen's scrambling (core/lights/sobol.h)
+    sobol,       // the same, of Sobol' points with Owen's scrambling
     median_cut,  // the map cut into rectangles of like light, again and again, the brightest first; a light
                  // in the middle of each one's (Debevec 2005)
     unbiased,    // ours, SamplePosition::random

@@ -37,7 +37,7 @@ constexpr auto names_of(DotOrder) {
 }
 
 /// Sorts dots. For priority Dots::threshold and Dots::critical have to be filled; dots that tie come in the
-/// order of core/placing/tie_order.h. For `shortest` it makes the start, which is `space`;
+/// order of TieKey below. For `shortest` it makes the start, which is `space`;
 /// core/routing/short_way.h has the rest.
 void sort_dots(Dots& dots, DotOrder order);
 

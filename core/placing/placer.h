@@ -48,7 +48,7 @@ struct CountCut {
 struct PlacingRequest {
     double scale = 2500;  // finite, >= 0: about expected_dots(density, scale), whatever the tile
     /// Instead of the scale: exactly so many on the whole page, those of lowest critical scale; where some
-    /// are equal, the first in the order of core/placing/tie_order.h.
+    /// are equal, the first in the order of core/placing/dot_order.h.
     std::optional<std::uint64_t> count = {};
     int threads = 1;          // the dots and their order are the same for any number; 0: all cores
     bool thresholds = false;  // fill Dots::threshold and Dots::critical too

@@ -9,7 +9,7 @@
 namespace dapple {
 
 /// Dots in millimetres from the page's corner; the page is a window. Those of a file that dapple render wrote
-/// as .json (core/output/dots_json.h). Throws std::runtime_error with one sentence, naming the file, if it is
+/// as .json (core/output/csv.h). Throws std::runtime_error with one sentence, naming the file, if it is
 /// none or has no dots.
 PlacedPoints points_of_json(std::string_view text, const std::string& name);
 

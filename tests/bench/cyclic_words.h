@@ -1,5 +1,5 @@
 #pragma once
-// Words of cyclic tiles (core/volume/cyclic_tile.h) in any base and dimension: all of them, where there are
+// Words of cyclic tiles (lab/volume/cyclic_tile.h) in any base and dimension: all of them, where there are
 // few, or the best that annealing finds.
 
 #include <algorithm>

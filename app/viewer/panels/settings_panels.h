@@ -142,7 +142,7 @@ struct KeptPalettes {
 /// True while a setting changes. Each pen that drew has a row with its colour, its dots and an eye, which is
 /// no setting. Pens of one's own are listed at the end: each has a name, a colour, a width, a smallest gap
 /// and a dot gain, and can be removed while there is another. `mostly_black`: light ink would draw the
-/// picture better (see core/image/ink_use.h), and is offered.
+/// picture better (see core/image/auto_tone.h), and is offered.
 bool draw_pen_panel(DrawingSettings& settings, LengthUnit unit = LengthUnit::mm, const PensSeen& seen = {},
                     const KeptPalettes& kept = {}, bool mostly_black = false);
 

@@ -28,7 +28,7 @@ std::optional<LoupeSquare> loupe_square(const PlacedDrawing& shown, std::size_t 
 
 /// What the loupe found in it.
 struct LoupeInfo {
-    double repetition = 0;  // see core/analysis/folding.h
+    double repetition = 0;  // see core/analysis/autocorrelation.h
     int layers = 0, level = 0;
 };
 
