@@ -14,9 +14,9 @@
 #include <vector>
 
 #include "core/image/colour.h"
-#include "core/text/xml_text.h"
 #include "core/text/number_words.h"
 #include "core/text/shown_text.h"
+#include "core/text/xml_text.h"
 #include "core/tile/tile_file.h"
 
 namespace dapple {
@@ -49,6 +49,19 @@ Grid<std::uint8_t> unpacked_levels(std::string_view text, int width, int height)
     return levels;
 }
 
+bool NumberRange::holds(double number) const {
+    const bool excluded = at_least == Least::excluded && number == least;
+    return number >= least && number <= most && !excluded;
+}
+
+std::string NumberRange::in_words(const char* kind) const {
+    const bool open = most == std::numeric_limits<double>::max();
+    if (at_least == Least::excluded)
+        return fmt::format("{} over {:.12g}", kind, least) +
+               (open ? "" : fmt::format(", up to {:.12g}", most));
+    return fmt::format("{} from {:.12g} ", kind, least) + (open ? "up" : fmt::format("to {:.12g}", most));
+}
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -62,19 +75,6 @@ std::string value_in_words(const Json& value) {
     std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
     if (text.size() > kLongestShown) text = text.substr(0, kLongestShown) + "...";
     return printable(text);
-}
-
-bool holds(NumberRange range, double number) {
-    const bool excluded = range.at_least == NumberRange::Least::excluded && number == range.least;
-    return number >= range.least && number <= range.most && !excluded;
-}
-
-std::string range_in_words(const char* kind, NumberRange range) {
-    if (range.at_least == NumberRange::Least::excluded)
-        return fmt::format("{} over {:.12g}", kind, range.least);
-    if (range.most == std::numeric_limits<double>::max())
-        return fmt::format("{} from {:.12g} up", kind, range.least);
-    return fmt::format("{} from {:.12g} to {:.12g}", kind, range.least, range.most);
 }
 
 bool file_is_there(const fs::path& file) {
@@ -128,14 +128,14 @@ void Fields::refuse_value(FieldName name, const Json& value, const std::string& 
 
 double Fields::number_in(FieldName name, const Json& value, NumberRange range) const {
     const double number = value.is_number() ? value.get<double>() : NAN;
-    if (!holds(range, number)) refuse_value(name, value, range_in_words("a number", range));
+    if (!range.holds(number)) refuse_value(name, value, range.in_words("a number"));
     return number;
 }
 
 double Fields::whole_in(FieldName name, const Json& value, NumberRange range, const char* or_else) const {
     const double number = value.is_number() ? value.get<double>() : NAN;
-    if (!holds(range, number) || number != std::floor(number))
-        refuse_value(name, value, range_in_words("a whole number", range) + or_else);
+    if (!range.holds(number) || number != std::floor(number))
+        refuse_value(name, value, range.in_words("a whole number") + or_else);
     return number;
 }
 

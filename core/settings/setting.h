@@ -10,6 +10,7 @@
 // mean by itself.
 
 #include <limits>
+#include <string>
 
 #include "core/drawing/settings.h"
 #include "core/image/auto_tone.h"
@@ -32,6 +33,11 @@ struct SettingNames {
 struct NumberRange {
     double least = 0, most = std::numeric_limits<double>::max();
     enum class Least { included, excluded } at_least = Least::included;
+
+    /// False for a NaN.
+    bool holds(double number) const;
+    /// "a number from 0 to 2", "a number over 0, up to 2", "a number from 0 up", of "a number".
+    std::string in_words(const char* kind) const;
 };
 
 struct Setting {

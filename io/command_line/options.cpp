@@ -11,8 +11,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "core/image/detail.h"
 #include "core/image/auto_tone.h"
+#include "core/image/detail.h"
 #include "core/relaxing/relax.h"
 #include "core/text/length.h"
 #include "core/text/number_words.h"
@@ -22,20 +22,11 @@
 namespace dapple {
 namespace {
 
-std::string in_words(const NumberRange& range) {
-    const bool above = range.at_least == NumberRange::Least::excluded;
-    if (range.most == std::numeric_limits<double>::max()) {
-        return fmt::format("{} {:g}", above ? "over" : "at least", range.least);
-    }
-    return fmt::format("{} {:g} and at most {:g}", above ? "over" : "at least", range.least, range.most);
-}
-
 double in_range(const std::string& text, std::optional<double> value, const NumberRange& range,
                 const char* kind) {
     if (!value || !std::isfinite(*value)) throw std::runtime_error(fmt::format("{} is not {}", text, kind));
-    const bool excluded = range.at_least == NumberRange::Least::excluded && *value == range.least;
-    if (*value < range.least || *value > range.most || excluded)
-        throw std::runtime_error(fmt::format("{} is not possible; give {} {}", text, kind, in_words(range)));
+    if (!range.holds(*value))
+        throw std::runtime_error(fmt::format("{} is not possible; give {}", text, range.in_words(kind)));
     return *value;
 }
 

@@ -199,7 +199,7 @@ TEST_CASE("option values that cannot be are refused with the option's name") {
           Wrong{"--region 0,0,9x9 --sheet 1,1/2x2", "--region: cannot be given"},
           Wrong{"--ink blue", "--ink: blue: not a colour"},
           Wrong{"--scale 1e-300", "--scale: no dots come out at 1e-300; give a higher"},
-          Wrong{"--width 1e-9", "--width: 1e-9 is not possible; give a length in mm, cm, in or pt at least"},
+          Wrong{"--width 1e-9", "--width: 1e-9 is not possible; give a length in mm, cm, in or pt from"},
           Wrong{"--margin 99.999", "--margin: 99.999 mm on either side leave no room"},
           Wrong{"--region 0,0,1e-9x1e-9", "--region: 1e-09 x 1e-09 mm is too small"},
           Wrong{"--crop 0,0,1e-9x1e-9", "--crop: the part is 1e-09 x 1e-09 pixels"},
