@@ -143,7 +143,7 @@ constexpr float kBlur = 1;        // mean spacings
 
 // The curve is vertical at black, where more and more dots would be sent for a last bit of light.
 constexpr float kMostAtOnce = 0.3f;  // of what there should be
-constexpr float kBlackest = 0.004f, kFadeOfLight = 0.03f;
+constexpr float kLeastLight = 0.004f, kFadeOfLight = 0.03f;
 constexpr int kStepsOfLight = 4096;
 
 constexpr float kLeastDensity = 0.03f;  // of the mean: sparse dots are not sent far
@@ -243,7 +243,7 @@ Warp::Warp(const Density& density, const WarpRequest& request)
         float* const most = most_.row(y);
         const float* const load = wanted_.row(y);
         for (int x = 0; x < width_; ++x)
-            most[x] = kMostAtOnce * load[x] * std::clamp((most[x] - kBlackest) / kFadeOfLight, 0.0f, 1.0f);
+            most[x] = kMostAtOnce * load[x] * std::clamp((most[x] - kLeastLight) / kFadeOfLight, 0.0f, 1.0f);
     });
 }
 

@@ -112,11 +112,11 @@ Grid<float> thresholds_of(const ThresholdMask& mask, int slice, double gain) {
             thresholds.values[pixels[rank]] = static_cast<float>((static_cast<double>(rank) + 0.5) / all);
         return thresholds;
     }
-    struct Neighbour {
+    struct Near {
         int dx, dy;
         Parts parts;
     };
-    std::vector<Neighbour> neighbours;
+    std::vector<Near> neighbours;
     const int reach = static_cast<int>(std::ceil(gain));
     for (int dy = -reach; dy <= reach; ++dy)
         for (int dx = -reach; dx <= reach; ++dx)
@@ -127,7 +127,7 @@ Grid<float> thresholds_of(const ThresholdMask& mask, int slice, double gain) {
     for (const std::uint32_t pixel : pixels) {
         const int x = static_cast<int>(pixel) % width, y = static_cast<int>(pixel) / width;
         const std::size_t before = parts;
-        for (const Neighbour& neighbour : neighbours) {
+        for (const Near& neighbour : neighbours) {
             const auto wrapped = [](int at, int side) { return ((at % side) + side) % side; };
             Parts& there = covered.at(wrapped(x + neighbour.dx, width), wrapped(y + neighbour.dy, height));
             parts += (neighbour.parts & ~there).count();
