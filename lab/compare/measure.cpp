@@ -23,6 +23,7 @@ namespace {
 
 constexpr int kDotsPicture = 420, kSpectrumPicture = 512, kDrawingWidth = 480;  // px
 constexpr double kDotsShown = 1500;
+constexpr int kGreySide = 256;       // px, of a grey drawn as a picture is
 constexpr int kMostTimes = 5;        // that one drawing is made
 constexpr double kShortTime = 0.05;  // s, after which it is not made again
 
@@ -186,7 +187,12 @@ class MethodMeasurer {
 std::optional<InkCurve> own_ink(const Contender& method, const std::stop_token& stop) {
     // Tiles are made for many dots, and quickly; of the others a thousand dots lie as a million do.
     const std::size_t fewest = method.has_tiles ? 16'384 : 512;
-    const std::vector<float> coverage = mean_coverage_by_load(method.dots, fewest, method.level_factor, stop);
+    const Density grey(Grid<float>(kGreySide, kGreySide, 1.0f));
+    const auto drawn = [&](DotsWanted wanted) {
+        wanted.density = &grey;
+        return method.dots(wanted);
+    };
+    const std::vector<float> coverage = mean_coverage_by_load(drawn, fewest, method.level_factor, stop);
     if (coverage.empty()) return {};
     return InkCurve(MeasuredCoverage{.load_step = kCoveredLoadStep, .coverage = coverage});
 }

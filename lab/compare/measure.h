@@ -41,7 +41,7 @@ struct GreyMarks {
 };
 
 /// A picture, measured as docs/pictures.md says. Each method has the density that the overlap of its own
-/// dots, as measured on constant grey, asks for.
+/// dots on constant grey asks for.
 struct DrawingMarks {
     std::size_t count = 0;
     double seconds = 0;
@@ -84,7 +84,7 @@ struct CompareRequest {
 };
 
 /// Between density and coverage, for a method's own dots, on the mean over a level of its tiles: measured on
-/// constant grey. None if stopped.
+/// constant grey that is drawn as pictures are. None if stopped.
 std::optional<InkCurve> own_ink(const Contender& method, const std::stop_token& stop = {});
 
 /// Measures them all. What is longer than allowed is stopped then, and what is certain to be, by how the time

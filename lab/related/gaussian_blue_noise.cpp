@@ -200,9 +200,7 @@ PlainDots gaussian_blue_noise(const DotsWanted& wanted) {
         wanted.density ? random_dots(*wanted.density, wanted.count, wanted.seed) : white_noise(wanted);
     const Energy energy(wanted);
     PlainDots ahead = dots;
-    // What pushes on a picture is no energy's slope, as kernels differ: more momentum stirs dots there.
-    const double most_momentum = wanted.density ? 0.5 : 1;
-    double since = 0;  // steps since there was no momentum
+    std::vector<double> since(dots.size());  // steps since a dot had no momentum
     for (int step = 0; step < kGaussianSteps; ++step) {
         if (wanted.stop.stop_requested()) return {};
         const std::vector<Energy::Step> steps = energy.steps(ahead);
@@ -213,12 +211,15 @@ PlainDots gaussian_blue_noise(const DotsWanted& wanted) {
             along += glm::dot(steps[i].way, moves[i]);
             length += glm::length(steps[i].way);
         }
-        // Momentum that leads up has gone too far (O'Donoghue & Candes 2015).
-        since = along < 0 ? 0 : since + 1;
-        const double momentum = std::min(most_momentum, since / (since + 3));
         for (std::size_t i = 0; i < dots.size(); ++i) {
-            dots[i] = energy.inside(ahead[i] + steps[i].spacing * steps[i].way);
-            ahead[i] = energy.inside(dots[i] + steps[i].spacing * within(momentum * moves[i]));
+            const glm::dvec2 way = steps[i].way, move = moves[i];
+            // Momentum that leads up has gone too far (O'Donoghue & Candes 2015). What pushes on a picture is
+            // no energy's slope, as kernels differ: there each dot's by itself may not lead far to the side.
+            const double up = wanted.density ? glm::length(way) * glm::length(move) / 2 : 0;
+            since[i] = (wanted.density ? glm::dot(way, move) : along) < up ? 0 : since[i] + 1;
+            const double momentum = since[i] / (since[i] + 3);
+            dots[i] = energy.inside(ahead[i] + steps[i].spacing * way);
+            ahead[i] = energy.inside(dots[i] + steps[i].spacing * within(momentum * move));
         }
         if (length < kGaussianStill * double(dots.size())) break;
     }

@@ -18,9 +18,9 @@ inline constexpr double kGaussianStill = 2e-6;
 /// of the authors' program by default (1, for a pair of them), and so is where it ends, at e^-17 of its
 /// middle: what is cut off earlier stirs the dots, and the energy falls no further.
 ///
-/// The authors take a thousand plain steps in their example. Steps here have momentum (Nesterov 1983; no more
-/// than 0.5 on pictures), by which as many go much farther down: until dots lie still, by kGaussianStill, or
-/// for kGaussianSteps.
+/// The authors take a thousand plain steps in their example. Steps here have momentum (Nesterov 1983; on
+/// pictures a dot's ends where it leads farther than 60 degrees from its step), by which as many go much
+/// farther down: until dots lie still, by kGaussianStill, or for kGaussianSteps.
 ///
 /// What differs: a dot sees others through its own kernel, whatever theirs, which is no wider than a fiftieth
 /// of the mean density asks for. A picture goes on beyond its page as in a mirror.
