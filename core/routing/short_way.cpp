@@ -19,40 +19,30 @@ namespace {
 // Consecutive dots that are improved at once. Larger windows hinder fewer dots at their borders, but turning
 // parts of them round costs more.
 constexpr std::size_t kWindow = 10'000;
-// Rounds of windows, each shifted by half a window.
-constexpr int kPasses = 2;
 // Longest row of dots that is carried elsewhere.
 constexpr int kLongestRow = 3;
 // A chain of turns has at most so many, and tries so many ways on after none, one and two; then one.
-constexpr std::size_t kLongestChain = 6;
+constexpr std::size_t kLongestChain = 4;
 constexpr std::array<std::size_t, 3> kBreadth{4, 2, 1};
 // The share of all the time that windows take.
-constexpr double kInWindows = 0.6;
+constexpr double kInWindows = 0.7;
 // Guards against a search that never ends; how near real drawings come to it has not been measured.
 constexpr std::size_t kLooksPerDot = 200;
-
-std::vector<std::uint32_t> as_they_come(std::uint32_t dots) {
-    std::vector<std::uint32_t> way(dots);
-    std::iota(way.begin(), way.end(), 0u);
-    return way;
-}
 
 // A closed tour through the dots of a window and one more stop, which joins the way's two ends and costs
 // nothing, so that an open way's moves are a closed one's.
 class Window {
  public:
-    // An end that is held stays the end: there the rest of the way goes on. The way begins as the dots come,
-    // or anew.
-    Window(std::vector<float> x, std::vector<float> y, bool holds_first, bool holds_last, bool anew)
-        : x_(std::move(x)),
-          y_(std::move(y)),
+    // An end that is held stays the end: there the rest of the way goes on.
+    Window(std::span<const float> x, std::span<const float> y, bool holds_first, bool holds_last)
+        : x_(x),
+          y_(y),
           near_(near_dots(x_, y_)),
           stops_(x_.size() + 1),
           joint_(static_cast<std::uint32_t>(x_.size())),
           first_(holds_first ? 0 : joint_),
           last_(holds_last ? joint_ - 1 : joint_),
-          tour_(anew ? joined(greedy_way(x_, y_, near_, holds_first, holds_last))
-                     : joined(as_they_come(joint_))),
+          tour_(joined(greedy_way(x_, y_, near_, holds_first, holds_last))),
           waits_(stops_) {
         near_length_.resize(near_.size());
         for (std::size_t i = 0; i < near_.size(); ++i)
@@ -64,9 +54,9 @@ class Window {
         held_ = 10 * length + 1;
     }
 
-    // Looks at those dots, and at whatever is around each move.
-    void improve(const std::vector<std::uint32_t>& dots, const std::stop_token& stop) {
-        for (const std::uint32_t dot : dots) look_again(dot);
+    // Looks at all dots, and at whatever is around each move.
+    void improve(const std::stop_token& stop) {
+        for (const std::uint32_t dot : tour_.opened_at(joint_)) look_again(dot);
         std::size_t looks = 0;
         for (std::size_t next = 0; next < queue_.size() && looks < kLooksPerDot * stops_; ++next, ++looks) {
             if (looks % 1024 == 0 && stop.stop_requested()) return;
@@ -80,18 +70,6 @@ class Window {
                 next = static_cast<std::size_t>(-1);
             }
         }
-    }
-
-    std::vector<std::uint32_t> all() const { return tour_.opened_at(joint_); }
-    // The dots before that one which have a near one from it on, and the other way round.
-    std::vector<std::uint32_t> along_seam(std::uint32_t seam) const {
-        std::vector<std::uint32_t> dots;
-        for (std::uint32_t dot = 0; dot < joint_; ++dot) {
-            const auto near = std::span(near_).subspan(dot * kNearDots, kNearDots);
-            if (std::ranges::any_of(near, [&](std::uint32_t k) { return (k < seam) != (dot < seam); }))
-                dots.push_back(dot);
-        }
-        return dots;
     }
 
     // The dots from the first to the last.
@@ -279,7 +257,7 @@ class Window {
         return tour_.at(place);
     }
 
-    std::vector<float> x_, y_;
+    std::span<const float> x_, y_;
     std::vector<std::uint32_t> near_;
     std::vector<double> near_length_;  // to each of them
     std::vector<Turn> turns_;          // of the chain being tried
@@ -309,47 +287,30 @@ double way_length(std::span<const float> x, std::span<const float> y, std::span<
 
 std::vector<std::uint32_t> short_way(std::span<const float> x, std::span<const float> y,
                                      const RoutingWatch& watch) {
-    std::vector<std::uint32_t> order = as_they_come(static_cast<std::uint32_t>(x.size()));
+    std::vector<std::uint32_t> order(x.size());
+    std::iota(order.begin(), order.end(), 0u);
     if (order.size() < 3) return order;
-    const int rounds = order.size() > kWindow ? kPasses : 1;
-    std::size_t done = 0;  // dots, over all rounds
+    const std::size_t count = (order.size() + kWindow - 1) / kWindow;
+    // In whole numbers that do not overflow where addresses have 32 bits.
+    const auto border = [&](std::uint64_t window) {
+        return static_cast<std::size_t>(window * order.size() / count);
+    };
+    std::size_t done = 0;  // dots
     std::mutex telling;
-    for (int round = 0; round < rounds && !watch.stop.stop_requested(); ++round) {
-        // Windows are equally long; in every other round the first and the last are half as long.
-        const std::size_t count = (order.size() + kWindow - 1) / kWindow, shifted = round % 2;
-        // In whole numbers that do not overflow where addresses have 32 bits.
-        const auto share = [&](std::uint64_t part, std::uint64_t of) {
-            return static_cast<std::size_t>(part * order.size() / of);
-        };
-        const auto border = [&](std::size_t window) {
-            if (window == 0) return std::size_t{0};
-            return std::min(order.size(), share(2 * window - shifted, 2 * count));
-        };
-        tbb::parallel_for(std::size_t{0}, count + shifted, [&](std::size_t index) {
-            if (watch.stop.stop_requested()) return;
-            const std::size_t first = border(index), last = border(index + 1),
-                              seam = share(index, count) - first;
-            if (last - first < 3) return;
-            const std::vector<std::uint32_t> dots(order.begin() + static_cast<long>(first),
-                                                  order.begin() + static_cast<long>(last));
-            std::vector<float> across(dots.size()), down(dots.size());
-            for (std::size_t i = 0; i < dots.size(); ++i) {
-                across[i] = x[dots[i]];
-                down[i] = y[dots[i]];
-            }
-            const double given = way_length(across, down);
-            Window window(across, down, first > 0, last < order.size(), round == 0);
-            window.improve(round == 0 ? window.all() : window.along_seam(static_cast<std::uint32_t>(seam)),
-                           watch.stop);
-            const std::vector<std::uint32_t> way = window.way();
-            if (way_length(across, down, way) <= given)
-                for (std::size_t i = 0; i < way.size(); ++i) order[first + i] = dots[way[i]];
-            const std::scoped_lock lock(telling);
-            done += dots.size();
-            if (watch.progress)
-                watch.progress(kInWindows * double(done) / (double(rounds) * double(order.size())));
-        });
-    }
+    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t index) {
+        if (watch.stop.stop_requested()) return;
+        const std::size_t first = border(index), last = border(index + 1);
+        const auto across = x.subspan(first, last - first), down = y.subspan(first, last - first);
+        Window window(across, down, first > 0, last < order.size());
+        window.improve(watch.stop);
+        const std::vector<std::uint32_t> way = window.way();
+        if (way_length(across, down, way) <= way_length(across, down))
+            for (std::size_t i = 0; i < way.size(); ++i)
+                order[first + i] = static_cast<std::uint32_t>(first) + way[i];
+        const std::scoped_lock lock(telling);
+        done += way.size();
+        if (watch.progress) watch.progress(kInWindows * double(done) / double(order.size()));
+    });
     if (watch.stop.stop_requested()) return order;
     uncross(x, y, order, {.stop = watch.stop, .progress = [&](double share) {
                               if (watch.progress) watch.progress(kInWindows + (1 - kInWindows) * share);

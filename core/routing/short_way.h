@@ -19,9 +19,8 @@ namespace dapple {
 /// Bentley, "Fast algorithms for geometric traveling salesman problems", ORSA J. Computing 4, 1992; Johnson
 /// and McGeoch, "The traveling salesman problem: a case study in local optimization", 1997).
 ///
-/// Many dots are improved in windows of consecutive ones, side by side in threads, and then those along the
-/// windows' borders again, in windows half a step on. What is then left, above all long links, is improved as
-/// a whole until no two links cross (uncross.h).
+/// Many dots are improved in windows of consecutive ones, side by side in threads. What is then left, above
+/// all along windows' borders and long links, is improved as a whole until no two links cross (uncross.h).
 ///
 /// The result depends on the dots alone: not on time, nor on the number of threads, so that window and
 /// command, and every machine, write the same file. That is why there is no limit in seconds: whoever cannot

@@ -18,6 +18,8 @@ namespace {
 
 constexpr std::uint32_t kFan = 4;  // links in a box, boxes in one of the next level
 constexpr int kLongestRow = 3;     // of dots that are carried into a link
+// How much further off than a link is long the others are that it sees, over their own length.
+constexpr double kAround = 0.1;
 // A gain below this share of a usual link's length is rounding, or not worth a move.
 constexpr double kLeastGain = 1e-6;
 // Links that one thread looks at before another may.
@@ -115,9 +117,9 @@ class LinkedTour {
         fit(other);
     }
 
-    // Calls visit(other) for each link that this one, a-b, may be exchanged with, or from whose ends a row of
-    // dots may come into it, so that the way is shorter: none that passes both a and b further off than a-b
-    // and twice its own length are long together.
+    // Calls visit(other) for each link that crosses this one, a-b, and for most that it may be exchanged
+    // with, or from whose ends a row of dots may come into it, so that the way is shorter: those in boxes
+    // that reach as near to a and b as a-b is long, and for rounding's sake a little more.
     template <class Visit>
     void for_each_link_near(std::uint32_t number, const Visit& visit) const {
         const auto [a, b] = links_[number];
@@ -174,7 +176,7 @@ class LinkedTour {
     void search(std::size_t level, std::uint32_t i, std::uint32_t a, std::uint32_t b, double reach,
                 const Visit& visit) const {
         const Box& box = levels_[level][i];
-        if (box.distance(x_[a], y_[a]) + box.distance(x_[b], y_[b]) >= reach + 2 * box.longest) return;
+        if (box.distance(x_[a], y_[a]) + box.distance(x_[b], y_[b]) >= reach + kAround * box.longest) return;
         const std::size_t below = level == 0 ? links_.size() : levels_[level - 1].size();
         const auto last = static_cast<std::uint32_t>(std::min<std::size_t>(below, (i + 1) * kFan));
         for (std::uint32_t k = i * kFan; k < last; ++k)
