@@ -2,8 +2,8 @@
 // A drawing as pixels, the way a PNG has it.
 
 #include "core/drawing/drawing.h"
-#include "core/drawing/write_drawing.h"
 #include "core/drawing/pipeline.h"
+#include "core/drawing/write_drawing.h"
 
 namespace dapple {
 

@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "app/commands/render_report.h"
-#include "core/drawing/write_drawing.h"
 #include "core/drawing/pipeline.h"
+#include "core/drawing/write_drawing.h"
 #include "core/image/auto_tone.h"
 #include "core/output/raster.h"
 #include "core/placing/stipple.h"

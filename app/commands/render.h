@@ -13,13 +13,13 @@
 #include <string>
 #include <vector>
 
-#include "core/drawing/write_drawing.h"
 #include "core/drawing/page_setup.h"
 #include "core/drawing/settings.h"
+#include "core/drawing/write_drawing.h"
 #include "core/output/sheet.h"
 #include "io/files/atomic_file.h"
-#include "io/files/save_drawing.h"
 #include "io/files/picture.h"
+#include "io/files/save_drawing.h"
 
 namespace dapple {
 

@@ -9,8 +9,8 @@
 #include <numbers>
 #include <vector>
 
-#include "core/analysis/domain.h"
 #include "core/analysis/distances.h"
+#include "core/analysis/domain.h"
 
 namespace dapple {
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "core/drawing/drawing.h"
-#include "core/drawing/write_drawing.h"
 #include "core/drawing/pipeline.h"
 #include "core/drawing/settings.h"
+#include "core/drawing/write_drawing.h"
 #include "core/output/findings.h"
 #include "core/output/pen_figures.h"
 #include "core/output/plotting_time.h"

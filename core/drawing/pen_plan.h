@@ -4,8 +4,8 @@
 #include <glm/vec3.hpp>
 #include <optional>
 
-#include "core/image/ink.h"
 #include "core/image/colour.h"
+#include "core/image/ink.h"
 #include "core/pens/pen_dots.h"
 #include "core/pens/separation.h"
 

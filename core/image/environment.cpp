@@ -86,7 +86,6 @@ EnvironmentMap sky_map(const Sky& sky) {
 
 namespace {
 
-
 void check(const Grid<glm::vec3>& radiance) {
     const auto& [width, height, values] = radiance;
     if (radiance.empty() || width != 2 * height) {

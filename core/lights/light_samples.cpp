@@ -22,8 +22,8 @@
 #include "core/lights/direction.h"
 #include "core/lights/settling.h"
 #include "core/maths/portable_math.h"
-#include "core/tile/tile.h"
 #include "core/tile/random.h"
+#include "core/tile/tile.h"
 
 namespace dapple {
 

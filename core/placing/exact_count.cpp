@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "core/placing/dot_order.h"
 #include "core/placing/placer.h"
 #include "core/placing/placer_memory.h"
-#include "core/placing/dot_order.h"
 
 namespace dapple {
 

@@ -15,9 +15,9 @@
 #include <vector>
 
 #include "core/image/density.h"
+#include "core/placing/dot_order.h"
 #include "core/placing/dots.h"
 #include "core/placing/placing_table.h"
-#include "core/placing/dot_order.h"
 
 namespace dapple {
 

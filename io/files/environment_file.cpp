@@ -11,7 +11,7 @@
 
 #include "core/text/shown_text.h"
 #include "io/decoding/decoder_process.h"
-#include "io/decoding/stored_pixels.h"
+#include "io/decoding/exif_orientation.h"
 
 namespace dapple {
 

@@ -16,7 +16,7 @@
 #include "core/image/colour.h"
 #include "core/image/grid.h"
 #include "io/decoding/decoded_image.h"
-#include "io/decoding/stored_pixels.h"
+#include "io/decoding/exif_orientation.h"
 
 namespace dapple {
 

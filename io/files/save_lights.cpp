@@ -11,8 +11,8 @@
 #include "core/lights/light_picture.h"
 #include "core/maths/portable_math.h"
 #include "io/files/atomic_file.h"
-#include "io/files/text_file.h"
 #include "io/files/png_file.h"
+#include "io/files/text_file.h"
 
 namespace dapple {
 namespace {

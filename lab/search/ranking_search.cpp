@@ -5,8 +5,8 @@
 #include <numeric>
 #include <optional>
 
-#include "core/tile/ranking.h"
 #include "core/tile/random.h"
+#include "core/tile/ranking.h"
 
 namespace dapple {
 

@@ -7,9 +7,9 @@
 #include "core/analysis/autocorrelation.h"
 #include "core/analysis/periodogram.h"
 #include "core/analysis/spectrum.h"
-#include "lab/analysis/seams.h"
 #include "core/relaxing/relax.h"
 #include "core/relaxing/stir.h"
+#include "lab/analysis/seams.h"
 
 namespace dapple {
 

@@ -11,8 +11,8 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_precision.hpp>
 
-#include "core/drawing/write_drawing.h"
 #include "core/drawing/pipeline.h"
+#include "core/drawing/write_drawing.h"
 #include "core/image/colour.h"
 #include "core/pens/separation.h"
 #include "io/files/tile_library.h"

@@ -3,10 +3,10 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "lab/analysis/point_table.h"
 #include "core/output/gcode.h"
 #include "core/pens/pen.h"
 #include "core/tile/tile_file.h"
+#include "lab/analysis/point_table.h"
 
 namespace dapple {
 

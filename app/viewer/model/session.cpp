@@ -15,15 +15,15 @@
 #include "core/settings/fields.h"
 #include "core/text/shown_text.h"
 #include "io/files/atomic_file.h"
-#include "io/files/text_file.h"
 #include "io/files/picture.h"
 #include "io/files/save_drawing.h"
 #include "io/files/separations.h"
 #include "io/files/sheet_files.h"
+#include "io/files/text_file.h"
 #include "io/files/tile_library.h"
 #include "io/film/save_film.h"
-#include "io/settings/project.h"
 #include "io/settings/presets.h"
+#include "io/settings/project.h"
 
 namespace dapple {
 namespace {

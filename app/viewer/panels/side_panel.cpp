@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "app/viewer/panels/window_panels.h"
-#include "app/viewer/panels/settings_panels.h"
 #include "app/viewer/panels/method_panels.h"
+#include "app/viewer/panels/settings_panels.h"
+#include "app/viewer/panels/window_panels.h"
 #include "app/viewer/widgets/theme.h"
 #include "app/viewer/widgets/widgets.h"
 #include "core/image/auto_tone.h"

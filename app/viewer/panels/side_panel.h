@@ -6,10 +6,10 @@
 #include <string>
 
 #include "app/viewer/model/session.h"
-#include "app/viewer/panels/window_panels.h"
+#include "app/viewer/panels/method_panels.h"
 #include "app/viewer/panels/settings_panels.h"
 #include "app/viewer/panels/shortcuts.h"
-#include "app/viewer/panels/method_panels.h"
+#include "app/viewer/panels/window_panels.h"
 
 namespace dapple {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "app/viewer/widgets/widgets.h"
-#include "core/image/detail.h"
 #include "core/image/auto_tone.h"
+#include "core/image/detail.h"
 #include "core/settings/setting.h"
 
 namespace dapple {

@@ -1,5 +1,6 @@
 #pragma once
-// What the window has around the drawing: buttons, banners, the status line, the player, dialogs about itself.
+// What the window has around the drawing: buttons, banners, the status line, the player, and dialogs about
+// itself.
 
 #include <array>
 #include <cstdint>

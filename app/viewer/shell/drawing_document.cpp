@@ -19,9 +19,9 @@
 #include "app/viewer/canvas/split_divider.h"
 #include "app/viewer/desktop/desktop_folders.h"
 #include "app/viewer/desktop/pasted_picture.h"
-#include "app/viewer/panels/window_panels.h"
 #include "app/viewer/panels/export_panel.h"
 #include "app/viewer/panels/settings_panels.h"
+#include "app/viewer/panels/window_panels.h"
 #include "app/viewer/shell/lights_document.h"
 #include "app/viewer/shell/status_log.h"
 #include "app/viewer/shell/window.h"
@@ -33,8 +33,8 @@
 #include "io/files/picture.h"
 #include "io/files/text_file.h"
 #include "io/files/tile_library.h"
-#include "io/settings/project.h"
 #include "io/settings/presets.h"
+#include "io/settings/project.h"
 #include "io/settings/xdg_folders.h"
 
 namespace dapple {

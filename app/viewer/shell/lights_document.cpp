@@ -7,9 +7,9 @@
 #include <string>
 #include <utility>
 
-#include "app/viewer/panels/window_panels.h"
 #include "app/viewer/panels/lights_panel.h"
 #include "app/viewer/panels/side_panel.h"
+#include "app/viewer/panels/window_panels.h"
 #include "app/viewer/shell/status_log.h"
 #include "app/viewer/shell/window.h"
 #include "app/viewer/view/camera.h"

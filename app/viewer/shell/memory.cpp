@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "core/settings/drawing_fields.h"
-#include "core/settings/settings_text.h"
 #include "core/settings/fields.h"
+#include "core/settings/settings_text.h"
 #include "core/text/shown_text.h"
 #include "io/descriptor.h"
 #include "io/files/atomic_file.h"

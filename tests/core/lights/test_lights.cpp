@@ -9,8 +9,8 @@
 
 #include "core/image/environment.h"
 #include "core/lights/direction.h"
-#include "core/lights/lit_objects.h"
 #include "core/lights/light_samples.h"
+#include "core/lights/lit_objects.h"
 
 using namespace dapple;
 

@@ -17,8 +17,8 @@
 
 #include "core/drawing/gcode_choice.h"
 #include "core/drawing/write_drawing.h"
-#include "core/output/plotting_time.h"
 #include "core/output/pen_figures.h"
+#include "core/output/plotting_time.h"
 #include "core/output/test_sheet.h"
 #include "core/placing/dot_order.h"
 #include "core/routing/short_way.h"

@@ -15,8 +15,8 @@
 
 #include "core/image/blur.h"
 #include "core/placing/stipple.h"
-#include "core/relaxing/warp.h"
 #include "core/relaxing/relax.h"
+#include "core/relaxing/warp.h"
 #include "tests/densities.h"
 #include "tests/dot_pieces.h"
 

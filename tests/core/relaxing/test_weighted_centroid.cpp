@@ -10,8 +10,8 @@
 #include <random>
 #include <vector>
 
-#include "core/relaxing/voronoi_cell.h"
 #include "core/relaxing/lloyd_steps.h"
+#include "core/relaxing/voronoi_cell.h"
 
 using namespace dapple;
 

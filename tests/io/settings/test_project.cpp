@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "app/commands/settings_options.h"
 #include "app/commands/commands.h"
+#include "app/commands/settings_options.h"
 #include "app/viewer/model/session.h"
 #include "app/viewer/model/viewer_settings.h"
 #include "core/image/mask.h"

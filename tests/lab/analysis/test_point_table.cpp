@@ -3,8 +3,8 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "lab/analysis/point_table.h"
 #include "core/output/csv.h"
+#include "lab/analysis/point_table.h"
 #include "tests/point_sets.h"
 
 using namespace dapple;

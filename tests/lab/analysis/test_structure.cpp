@@ -4,8 +4,8 @@
 #include <numbers>
 
 #include "core/analysis/ssim.h"
-#include "lab/compare/structure.h"
 #include "core/image/tone.h"
+#include "lab/compare/structure.h"
 
 using namespace dapple;
 

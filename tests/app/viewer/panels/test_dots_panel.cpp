@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "app/viewer/panels/settings_panels.h"
 #include "app/viewer/panels/method_panels.h"
+#include "app/viewer/panels/settings_panels.h"
 #include "core/settings/setting.h"
 #include "core/text/shown_text.h"
 #include "tests/headless_ui.h"

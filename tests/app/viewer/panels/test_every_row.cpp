@@ -12,11 +12,11 @@
 #include <vector>
 
 #include "app/viewer/model/history.h"
-#include "app/viewer/panels/window_panels.h"
 #include "app/viewer/panels/export_panel.h"
 #include "app/viewer/panels/lights_panel.h"
 #include "app/viewer/panels/method_panels.h"
 #include "app/viewer/panels/settings_panels.h"
+#include "app/viewer/panels/window_panels.h"
 #include "app/viewer/widgets/row.h"
 #include "core/tile/tile.h"
 #include "tests/headless_ui.h"

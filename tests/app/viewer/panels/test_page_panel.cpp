@@ -6,8 +6,8 @@
 #include <string>
 
 #include "app/viewer/model/viewer_settings.h"
-#include "app/viewer/panels/window_panels.h"
 #include "app/viewer/panels/settings_panels.h"
+#include "app/viewer/panels/window_panels.h"
 #include "tests/headless_ui.h"
 
 namespace dapple {

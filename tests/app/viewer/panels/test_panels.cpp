@@ -6,8 +6,8 @@
 #include <array>
 #include <string>
 
-#include "app/viewer/panels/settings_panels.h"
 #include "app/viewer/panels/method_panels.h"
+#include "app/viewer/panels/settings_panels.h"
 #include "tests/headless_ui.h"
 
 namespace dapple {

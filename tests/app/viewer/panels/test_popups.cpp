@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "app/viewer/panels/window_panels.h"
 #include "app/viewer/panels/command_palette.h"
+#include "app/viewer/panels/window_panels.h"
 #include "app/viewer/widgets/dialog.h"
 #include "app/viewer/widgets/row.h"
 #include "app/viewer/widgets/widgets.h"

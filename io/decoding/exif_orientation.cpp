@@ -1,0 +1,52 @@
+#include "io/decoding/exif_orientation.h"
+
+#include <cstddef>
+
+namespace dapple {
+
+glm::ivec2 ExifOrientation::upright(int x, int y, int width, int height) const {
+    const int right = width - 1 - x, bottom = height - 1 - y;
+    switch (value) {
+        case 2:
+            return {right, y};
+        case 3:
+            return {right, bottom};
+        case 4:
+            return {x, bottom};
+        case 5:
+            return {y, x};
+        case 6:
+            return {bottom, x};
+        case 7:
+            return {bottom, right};
+        case 8:
+            return {y, right};
+        default:
+            return {x, y};
+    }
+}
+
+int orientation_in(std::span<const unsigned char> exif) {
+    const bool little = exif.size() >= 8 && exif[0] == 'I' && exif[1] == 'I';
+    const bool big = exif.size() >= 8 && exif[0] == 'M' && exif[1] == 'M';
+    if (!little && !big) return 1;
+    const auto number = [&](std::size_t at, std::size_t bytes) {
+        std::size_t value = 0;
+        for (std::size_t i = 0; i < bytes; ++i) value = value << 8 | exif[at + (little ? bytes - 1 - i : i)];
+        return value;
+    };
+    constexpr std::size_t kEntry = 12, kOrientation = 274;
+    const std::size_t directory = number(4, 4);
+    if (directory > exif.size() - 2) return 1;
+    const std::size_t entries = number(directory, 2);
+    for (std::size_t i = 0; i < entries; ++i) {
+        const std::size_t at = directory + 2 + i * kEntry;
+        if (at + kEntry > exif.size()) break;
+        if (number(at, 2) != kOrientation) continue;
+        const std::size_t value = number(at + 8, 2);
+        return value >= 1 && value <= 8 ? static_cast<int>(value) : 1;
+    }
+    return 1;
+}
+
+}  // namespace dapple
