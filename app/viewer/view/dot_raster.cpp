@@ -486,7 +486,7 @@ DotRaster::~DotRaster() = default;
 RasterGrain raster_grain(const RasterView& view, Fineness fineness, double radius) {
     // Which samples a dot meets is chance where it is no larger than they lie apart, and not even that: the
     // same tile's points lie on many of its squares.
-    constexpr double kSmallestRadius = 4;  // samples
+    constexpr double kLeastSamples = 4;  // samples
     constexpr double kMostSamples = 256e6, kMostQuickSamples = 48e6;
     const auto samples = [&](const RasterGrain& grain) {
         return std::pow(grain.samples(), 2) * view.size.x * view.size.y * static_cast<double>(view.pens);
@@ -494,7 +494,7 @@ RasterGrain raster_grain(const RasterView& view, Fineness fineness, double radiu
     RasterGrain grain{fineness};
     if (samples(grain) > 8 * kMostRasterMemory) grain.fineness = Fineness::quick;
     const double most = fineness == Fineness::quick ? kMostQuickSamples : kMostSamples;
-    const double wanted = std::ceil(kSmallestRadius / (radius * view.pixels_per_unit * grain.samples()));
+    const double wanted = std::ceil(kLeastSamples / (radius * view.pixels_per_unit * grain.samples()));
     const double allowed = std::floor(std::sqrt(most / samples(grain)));
     grain.parts = static_cast<int>(std::clamp(wanted, 1.0, std::max(allowed, 1.0)));
     return grain;
