@@ -1,5 +1,5 @@
 #pragma once
-// A drawing as text: every kind of file that needs no library. PDF and pixels are written by app/files, which
+// A drawing as text: every kind of file that needs no library. PDF and pixels are written by io/files, which
 // has the libraries for them.
 
 #include <filesystem>
