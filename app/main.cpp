@@ -11,8 +11,6 @@
 
 #include "app/commands/commands.h"
 #include "app/viewer/viewer.h"
-#include "io/command_line/complete.h"
-#include "io/command_line/manual.h"
 #include "io/command_line/options.h"
 #include "io/command_line/program.h"
 
@@ -79,9 +77,7 @@ int main(int argc, char** argv) {
         dapple::add_render_command(program),           dapple::add_record_command(program),
         dapple::add_lights_command(program, show_map), dapple::add_tile_command(program),
         dapple::add_test_sheet_command(program),       dapple::add_mask_command(program)};
-    const dapple::CompleteCommand complete(program);
     dapple::add_presets_command(program);
-    dapple::add_manual_command(program);
 
     program.callback([&] {
         if (!program.get_subcommands().empty()) return;

@@ -3,8 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <array>
 
-#include "io/command_line/complete.h"
-#include "io/command_line/manual.h"
 #include "io/command_line/program.h"
 #include "lab/commands/commands.h"
 
@@ -22,7 +20,5 @@ int main(int argc, char** argv) {
     const std::array commands{dapple::add_analyse_command(program), dapple::add_compare_command(program),
                               dapple::add_reproduce_command(program), dapple::add_lab_tile_command(program),
                               dapple::add_volume_command(program)};
-    const dapple::CompleteCommand complete(program);
-    dapple::add_manual_command(program);
     return dapple::run_program(program, argc, argv, 0);
 }

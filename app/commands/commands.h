@@ -3,20 +3,17 @@
 
 #include <filesystem>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 
 #include "core/lights/light_samples.h"
+#include "io/command_line/program.h"
 
 namespace CLI {
 class App;
 }
 
 namespace dapple {
-
-/// What holds a command's options: it has to live until all is parsed and done.
-using Command = std::shared_ptr<const void>;
 
 /// Each adds a command to the program. Commands throw std::runtime_error with one sentence naming the file
 /// that is wrong; what was at the output's place stays then.

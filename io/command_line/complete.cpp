@@ -1,9 +1,12 @@
-#include "io/command_line/complete.h"
+#include "io/command_line/program.h"
 
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <memory>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include "io/files/tile_library.h"
 #include "io/settings/palettes.h"
@@ -11,6 +14,11 @@
 
 namespace dapple {
 namespace {
+
+struct Completion {
+    std::string word;
+    std::string about;
+};
 
 bool is_hidden(const CLI::App& command) {
     return command.get_group().empty();
@@ -71,8 +79,8 @@ std::vector<Completion> commands_and_positionals_of(const CLI::App& app, const s
     return words;
 }
 
-}  // namespace
-
+// Words that the last of `words` may become: commands, options, and values that have names. `words` are
+// those behind "dapple", the last one perhaps empty. Nothing where anything may stand, such as a file's name.
 std::vector<Completion> completions(const CLI::App& program, const std::vector<std::string>& words) {
     if (words.empty()) return {};
     const CLI::App* command = &program;
@@ -97,14 +105,18 @@ std::vector<Completion> completions(const CLI::App& program, const std::vector<s
     return found;
 }
 
-CompleteCommand::CompleteCommand(CLI::App& program) {
+}  // namespace
+
+Command add_complete_command(CLI::App& program) {
+    const auto words = std::make_shared<std::vector<std::string>>();
     CLI::App* const command = program.add_subcommand("complete", "What may stand next on the command line");
     command->group("");
-    command->add_option("words", words_, "Behind --, the words so far")->type_name("WORDS");
-    command->callback([this, &program] {
-        for (const Completion& each : completions(program, words_))
+    command->add_option("words", *words, "Behind --, the words so far")->type_name("WORDS");
+    command->callback([&words = *words, &program] {
+        for (const Completion& each : completions(program, words))
             fmt::print("{}\t{}\n", each.word, each.about);
     });
+    return words;
 }
 
 }  // namespace dapple

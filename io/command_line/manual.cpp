@@ -1,6 +1,7 @@
-#include "io/command_line/manual.h"
+#include "io/command_line/program.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
 #include <sstream>
 #include <string>
@@ -122,8 +123,7 @@ void write_commands(std::ostream& out, const CLI::App& parent) {
     }
 }
 
-}  // namespace
-
+// Every command with every option, but for those that help does not show.
 void write_manual(std::ostream& out, const CLI::App& program) {
     out << ".TH " << in_capitals(program.get_name()) << " 1 \"\" \"" << roff(program.version())
         << "\" \"User Commands\"\n";
@@ -142,6 +142,8 @@ void write_manual(std::ostream& out, const CLI::App& program) {
            ".TP\n1\nSomething could not be done, and a sentence on the standard error says what.\n"
            ".TP\n2\nThe command line is wrong: nothing was begun.\n";
 }
+
+}  // namespace
 
 void add_manual_command(CLI::App& program) {
     program.add_subcommand("manual", "The manual page, for man")->group("")->callback([&program] {

@@ -2,6 +2,7 @@
 
 #include <sys/ioctl.h>
 #include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cerrno>
@@ -44,8 +45,8 @@ std::size_t slips_between(std::string_view a, std::string_view b) {
     return slips[a.size()][b.size()];
 }
 
-}  // namespace
-
+// What is wrong with a first word that was meant as a command: "rendr" for "render". Nothing if it is one,
+// or may be a picture.
 std::optional<std::string> wrong_command(const CLI::App& app, std::span<char* const> words) {
     if (words.empty()) return std::nullopt;
     const std::string_view word = words.front();
@@ -69,6 +70,7 @@ std::optional<std::string> wrong_command(const CLI::App& app, std::span<char* co
     return sentence;
 }
 
+// The same for the first option that does not exist: "--dotz" for "--dots".
 std::optional<std::string> wrong_option(const CLI::App& app, std::span<char* const> words) {
     const CLI::App* command = &app;
     std::string usage = app.get_name();
@@ -96,8 +98,6 @@ std::optional<std::string> wrong_option(const CLI::App& app, std::span<char* con
     }
     return std::nullopt;
 }
-
-namespace {
 
 constexpr std::size_t kNarrowest = 60;
 
@@ -196,10 +196,12 @@ int run(CLI::App& program, int argc, char** argv, const int& status, const bool&
 int run_program(CLI::App& program, int argc, char** argv, const int& status,
                 const std::function<void()>& before) {
     program.formatter(std::make_shared<WrappedHelp>());
+    const Command complete = add_complete_command(program);
+    add_manual_command(program);
     std::optional<ToldWhenStopped> told;
     bool parsed = false;  // all that is wrong before is the command line
     program.parse_complete_callback([&] {
-        before();
+        if (before) before();
         parsed = true;
         if (!program.get_subcommands().empty()) told.emplace();
     });

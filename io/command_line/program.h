@@ -4,25 +4,11 @@
 #include <CLI/CLI.hpp>
 #include <cstddef>
 #include <functional>
-#include <optional>
-#include <span>
+#include <memory>
 #include <string>
 #include <string_view>
 
-namespace CLI {
-class App;
-}
-
 namespace dapple {
-
-// What was mistyped: a command, as opposed to the name of a picture, or an option.
-
-/// What is wrong with a first word that was meant as a command: "rendr" for "render". Nothing if it is one,
-/// or may be a picture.
-std::optional<std::string> wrong_command(const CLI::App& app, std::span<char* const> words);
-
-/// The same for the first option that does not exist: "--dotz" for "--dots".
-std::optional<std::string> wrong_option(const CLI::App& app, std::span<char* const> words);
 
 // Help whose lines end at the terminal's edge, between words.
 
@@ -40,11 +26,20 @@ class WrappedHelp : public CLI::Formatter {
     std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override;
 };
 
+/// What holds a command's options: it has to live until all is parsed and done.
+using Command = std::shared_ptr<const void>;
+
+/// Two commands that help does not show and run_program() adds. `complete` says what may stand next on the
+/// command line: the shells' scripts in packaging/ ask it at each Tab, and so know no option themselves.
+/// `manual` writes the page for man(1), from what help is made of.
+[[nodiscard]] Command add_complete_command(CLI::App& program);
+void add_manual_command(CLI::App& program);
+
 /// Parses the command line and runs its command, or the program's own callback without one. What is wrong is
 /// one sentence on the standard error, behind the program's name. Returns 0 if all was done (`status`, which
 /// the callbacks may set), 1 if something could not be, 2 if the command line is wrong. `before` is called
 /// once all is read, before anything is done; what it throws is a wrong command line.
-int run_program(
-    CLI::App& program, int argc, char** argv, const int& status, const std::function<void()>& before = [] {});
+int run_program(CLI::App& program, int argc, char** argv, const int& status,
+                const std::function<void()>& before = {});
 
 }  // namespace dapple

@@ -2,9 +2,9 @@
 // The commands of `dapple-lab`, each in a file of its own.
 
 #include <filesystem>
-#include <memory>
 #include <span>
 
+#include "io/command_line/program.h"
 #include "lab/reproduce/printed_numbers.h"
 
 namespace CLI {
@@ -12,9 +12,6 @@ class App;
 }
 
 namespace dapple {
-
-/// What holds a command's options: it has to live until all is parsed and done.
-using Command = std::shared_ptr<const void>;
 
 /// Each adds a command to the program. Commands throw std::runtime_error with one sentence naming the file
 /// that is wrong; what was at the output's place stays then.
