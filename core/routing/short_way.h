@@ -2,13 +2,22 @@
 // A short way for a pen through all dots: an open path, the travelling salesman's without the way home.
 
 #include <cstdint>
+#include <functional>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "core/placing/dots.h"
-#include "core/routing/routing_watch.h"
 
 namespace dapple {
+
+// Progress and stopping, for whoever waits for a pen's way.
+
+/// May be called from several threads, but not at the same time.
+struct RoutingWatch {
+    std::stop_token stop;                        // asks to give up
+    std::function<void(double share)> progress;  // told now and then, 0..1, never backwards
+};
 
 /// The dots' indices in an order whose way is never longer than the one given. The dots should be sorted
 /// along a Hilbert curve (core/placing/dot_order.h), so that consecutive ones are near each other.

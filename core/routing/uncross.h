@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "core/routing/routing_watch.h"
+#include "core/routing/short_way.h"
 
 namespace dapple {
 
