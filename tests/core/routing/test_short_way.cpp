@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "core/placing/dot_order.h"
-#include "core/routing/greedy_way.h"
 #include "core/routing/near_dots.h"
 #include "core/routing/short_way.h"
 #include "tests/bench/plain_two_opt.h"
