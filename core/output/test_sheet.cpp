@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "core/strokes/stroke_font.h"
+#include "core/strokes/strokes.h"
 
 namespace dapple {
 namespace {

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "core/strokes/stroke_font.h"
+#include "core/strokes/strokes.h"
 #include "io/files/picture.h"
 #include "tests/machines.h"
 #include "tests/render_scene.h"
