@@ -5,11 +5,18 @@
 #include <span>
 
 #include "app/viewer/canvas/camera_mouse.h"
+#include "app/viewer/canvas/canvas.h"
 #include "app/viewer/view/camera.h"
 #include "core/drawing/page_setup.h"
 #include "core/output/sheet.h"
 
 namespace dapple {
+
+// The line between the two sides of the split view, with a handle to drag it by.
+
+/// Draws it over the canvas and moves it with the mouse. `share`: of the canvas's width to its left; it stays
+/// so far from the edges that the handle can always be reached. True while it moves.
+bool draw_split_divider(float& share, const CanvasPlace& place);
 
 // The pen of a plot that is shown, and where it came from.
 

@@ -16,7 +16,6 @@
 #include "app/viewer/canvas/dot_card.h"
 #include "app/viewer/canvas/page_frame.h"
 #include "app/viewer/canvas/pane_view.h"
-#include "app/viewer/canvas/split_divider.h"
 #include "app/viewer/desktop/desktop_folders.h"
 #include "app/viewer/desktop/pasted_picture.h"
 #include "app/viewer/panels/export_panel.h"
