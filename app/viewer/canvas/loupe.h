@@ -5,11 +5,19 @@
 #include <cstdint>
 #include <optional>
 
+#include "app/viewer/canvas/camera_mouse.h"
 #include "app/viewer/canvas/canvas.h"
 #include "app/viewer/canvas/gl_objects.h"
+#include "app/viewer/view/dot_origin.h"
 #include "app/viewer/view/loupe_square.h"
 
 namespace dapple {
+
+// A card beside the pointer that says where the dot under it comes from; its tile lights up.
+
+/// Over the canvas; nothing where no dot is near, or where ImGui's windows have the mouse.
+void draw_dot_card(const PlacedDrawing& shown, const PlacedWith& with, const Camera& camera,
+                   const CanvasPlace& place);
 
 /// What the lens looks at: the dots of one side of the canvas and how they are drawn.
 struct LoupeView {

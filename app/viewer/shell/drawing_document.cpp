@@ -13,7 +13,7 @@
 
 #include "app/viewer/background/mipmaps.h"
 #include "app/viewer/background/small_pictures.h"
-#include "app/viewer/canvas/dot_card.h"
+#include "app/viewer/canvas/loupe.h"
 #include "app/viewer/canvas/page_frame.h"
 #include "app/viewer/canvas/pane_view.h"
 #include "app/viewer/desktop/desktop_folders.h"

@@ -14,7 +14,7 @@
 #include "app/viewer/background/dot_blocks.h"
 #include "app/viewer/background/tile_view.h"
 #include "app/viewer/background/workbench.h"
-#include "app/viewer/canvas/dot_card.h"
+#include "app/viewer/canvas/loupe.h"
 #include "app/viewer/model/viewer_settings.h"
 #include "app/viewer/view/dot_origin.h"
 #include "core/placing/page.h"
