@@ -1,8 +1,18 @@
 #include "app/viewer/model/viewer_settings.h"
 
 #include "core/settings/drawing_fields.h"
+#include "io/files/tile_library.h"
 
 namespace dapple {
+
+Comparison toggled(Comparison comparison, const DrawingSettings& left) {
+    comparison.on = !comparison.on;
+    const std::string tile = tile_in_use(left);
+    const bool alike =
+        comparison.tile == tile && comparison.placer == left.placer && comparison.ranking == left.ranking;
+    if (comparison.on && alike) comparison.tile = tile == "paper16" ? kDefaultTile : "paper16";
+    return comparison;
+}
 
 // Each begins with all members by name: with one more or less it doesn't compile.
 

@@ -1,14 +1,41 @@
 #pragma once
 // All that the panels edit: the drawing's settings and how the window shows them. One value, read each frame.
 
+#include <optional>
+#include <string>
+
 #include "app/viewer/background/dots_request.h"
-#include "app/viewer/view/split_comparison.h"
 #include "core/drawing/settings.h"
 #include "core/settings/fields.h"
 #include "core/text/length.h"
 #include "core/text/names.h"
 
 namespace dapple {
+
+// The split view: to the right of a divider the same density with another tile, another placer or both.
+
+enum class CompareBy {
+    scale,
+    count,  // of different dots; Figure 8 comes near it only
+};
+constexpr auto names_of(CompareBy) {
+    return names("scale", "count");
+}
+
+struct Comparison {
+    bool on = false;
+    PlacerKind placer = PlacerKind::exact;  // these three of the right side
+    std::string tile = "paper16";
+    std::optional<RankingMethod> ranking;
+    CompareBy by = CompareBy::scale;
+    float divider = 0.5f;  // the left side's share of the canvas, 0..1
+
+    bool operator==(const Comparison&) const = default;
+};
+
+/// Switched on or off. Where both sides would be alike the right one gets another tile: the paper's, which
+/// repeats, or the default beside the paper's.
+Comparison toggled(Comparison comparison, const DrawingSettings& left);
 
 enum class ZoomMode {
     drawing,           // dots grow with the page
