@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
-#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -15,22 +14,6 @@
 #include "app/viewer/widgets/dialog.h"
 
 namespace dapple {
-
-// The desktop's own dialog for a file to open, shown by zenity (GNOME and others) or kdialog (KDE).
-
-/// Whether one of those programs is there.
-bool has_desktop_dialog();
-
-struct DesktopQuestion {
-    std::string title;
-    std::vector<std::string> endings;  // ".png"; none: all files
-    std::filesystem::path start;       // its folder is opened
-};
-
-/// Waits until the person has chosen. Nothing: no file, or it was stopped. Throws std::runtime_error with one
-/// sentence if the dialog cannot be shown.
-std::optional<std::filesystem::path> ask_desktop(const DesktopQuestion& question,
-                                                 const std::stop_token& stop);
 
 // What becomes of files that were dropped, pasted or chosen: one is opened, of several one is chosen, and a
 // picture that holds the settings it was drawn with is opened as what the person says.

@@ -12,7 +12,7 @@
 #include <string>
 #include <thread>
 
-#include "app/viewer/shell/asking.h"
+#include "app/viewer/desktop/desktop_dialog.h"
 #include "app/viewer/desktop/pasted_picture.h"
 #include "io/files/child_output.h"
 #include "tests/file_text.h"

@@ -1,0 +1,26 @@
+#pragma once
+// The desktop's own dialog for a file to open, shown by zenity (GNOME and others) or kdialog (KDE).
+
+#include <filesystem>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+namespace dapple {
+
+/// Whether one of those programs is there.
+bool has_desktop_dialog();
+
+struct DesktopQuestion {
+    std::string title;
+    std::vector<std::string> endings;  // ".png"; none: all files
+    std::filesystem::path start;       // its folder is opened
+};
+
+/// Waits until the person has chosen. Nothing: no file, or it was stopped. Throws std::runtime_error with one
+/// sentence if the dialog cannot be shown.
+std::optional<std::filesystem::path> ask_desktop(const DesktopQuestion& question,
+                                                 const std::stop_token& stop);
+
+}  // namespace dapple
