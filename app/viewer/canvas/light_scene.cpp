@@ -1,8 +1,8 @@
 #include "app/viewer/canvas/light_scene.h"
 
+#include <imgui.h>
 #include <tbb/parallel_for.h>
 
-#include <imgui.h>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -15,25 +15,6 @@
 #include "core/lights/light_picture.h"
 
 namespace dapple {
-
-EntryPicture EntryPictures::of(const std::string& key, const SmallPictures::Make& make) {
-    const SmallPicture* const picture = pictures_.of(key, make);
-    if (!picture) return {.awaited = true};
-    if (picture->empty()) return {};
-    auto texture = textures_.find(key);
-    if (texture == textures_.end()) {
-        texture = textures_.emplace(key, GlTexture()).first;
-        texture->second.write(*picture);
-    }
-    return {texture_id(texture->second.get()),
-            {static_cast<float>(picture->width), static_cast<float>(picture->height)}};
-}
-
-void EntryPictures::forget() {
-    pictures_.forget();
-    textures_.clear();
-}
-
 namespace {
 
 constexpr float kLargestObject = 1024;  // pixels: larger ones are enlarged

@@ -2,39 +2,16 @@
 // The canvas of an environment map: the map with its samples, and what they light beside what the map lights.
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <glm/vec2.hpp>
-#include <map>
 #include <optional>
-#include <string>
 
-#include "app/viewer/background/small_pictures.h"
 #include "app/viewer/canvas/camera_mouse.h"
 #include "app/viewer/canvas/gl_objects.h"
 #include "app/viewer/model/lit_map.h"
 #include "app/viewer/view/camera.h"
-#include "app/viewer/widgets/picture_entry.h"
 
 namespace dapple {
-
-// The small pictures of a list's entries, as textures.
-
-class EntryPictures {
- public:
-    explicit EntryPictures(std::function<void()> wake) : pictures_(std::move(wake)) {}
-
-    /// As SmallPictures::of(); bare while there is none.
-    EntryPicture of(const std::string& key, const SmallPictures::Make& make);
-
-    std::size_t size() const { return textures_.size(); }
-    /// Gives up what is being made, and all memory. Only before the frame shows any of them.
-    void forget();
-
- private:
-    SmallPictures pictures_;
-    std::map<std::string, GlTexture> textures_;
-};
 
 /// Where things are on the canvas, in ImGui's points.
 struct LightLayout {

@@ -10,7 +10,7 @@
 #include "app/viewer/background/background.h"
 #include "app/viewer/canvas/canvas.h"
 #include "app/viewer/canvas/crop_frame.h"
-#include "app/viewer/canvas/light_scene.h"
+#include "app/viewer/canvas/entry_pictures.h"
 #include "app/viewer/canvas/loupe.h"
 #include "app/viewer/canvas/mask_painter.h"
 #include "app/viewer/model/compared_panes.h"
