@@ -12,7 +12,7 @@
 #include "core/text/shown_text.h"
 #include "io/command_line/options.h"
 #include "io/command_line/remarks.h"
-#include "io/files/text_file.h"
+#include "io/files/gcode_template.h"
 #include "io/settings/presets.h"
 #include "io/settings/project.h"
 
