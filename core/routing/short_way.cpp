@@ -455,8 +455,6 @@ void uncross(std::span<const float> x, std::span<const float> y, std::vector<std
 // Consecutive dots that are improved at once. Larger windows hinder fewer dots at their borders, but turning
 // parts of them round costs more.
 constexpr std::size_t kWindow = 10'000;
-// Longest row of dots that is carried elsewhere.
-constexpr int kLongestRow = 3;
 // A chain of turns has at most so many, and tries so many ways on after none, one and two; then one.
 constexpr std::size_t kLongestChain = 4;
 constexpr std::array<std::size_t, 3> kBreadth{4, 2, 1};

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "core/analysis/ssim.h"
 #include "core/image/blur.h"
+#include "lab/analysis/ssim.h"
 
 namespace dapple {
 namespace {

@@ -19,7 +19,7 @@ struct ToneFidelity {
     double mean_error = 0;  // mean of drawing - photograph: above 0 the drawing is too light
     double rms_error = 0;   // root of the mean square of the difference
     double psnr_db = 0;     // -20 log10(rms_error), 200 at most: white is the peak, 1
-    /// Structural similarity (core/analysis/ssim.h) of linear light. Its window is a Gaussian of 1.5 pixels,
+    /// Structural similarity (lab/analysis/ssim.h) of linear light. Its window is a Gaussian of 1.5 pixels,
     /// and of 1.5 sigma where the blur is over a pixel, since what the eye can tell apart then is as far
     /// apart as that.
     double ssim = 0;

@@ -9,9 +9,9 @@
 #include <numeric>
 #include <vector>
 
-#include "core/analysis/ssim.h"
 #include "core/image/blur.h"
 #include "core/image/tone.h"
+#include "lab/analysis/ssim.h"
 
 namespace dapple {
 namespace {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/analysis/ssim.h"
 #include "core/image/tone.h"
+#include "lab/analysis/ssim.h"
 #include "lab/compare/structure.h"
 
 using namespace dapple;

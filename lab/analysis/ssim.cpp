@@ -1,4 +1,4 @@
-#include "core/analysis/ssim.h"
+#include "lab/analysis/ssim.h"
 
 #include <algorithm>
 #include <cassert>
