@@ -34,14 +34,14 @@ struct RoutingWatch {
 /// The dots' indices in an order whose way is never longer than the one given. The dots should be sorted
 /// along a Hilbert curve (core/placing/dot_order.h), so that consecutive ones are near each other.
 ///
-/// A greedy way (greedy_way.h) is improved by moves until none helps: 2-opt (Croes 1958), which turns a part
+/// A greedy way is improved by moves until none helps: 2-opt (Croes 1958), which turns a part
 /// of the way round, and Or-opt (Or 1976), which carries one to three dots in a row elsewhere. Both look only
 /// at each dot's nearest others and at dots whose surroundings changed (neighbour lists and don't-look bits:
 /// Bentley, "Fast algorithms for geometric traveling salesman problems", ORSA J. Computing 4, 1992; Johnson
 /// and McGeoch, "The traveling salesman problem: a case study in local optimization", 1997).
 ///
 /// Many dots are improved in windows of consecutive ones, side by side in threads. What is then left, above
-/// all along windows' borders and long links, is improved as a whole until no two links cross (uncross.h).
+/// all along windows' borders and long links, is improved as a whole until no two links cross.
 ///
 /// The result depends on the dots alone: not on time, nor on the number of threads, so that window and
 /// command, and every machine, write the same file. That is why there is no limit in seconds: whoever cannot
