@@ -3,8 +3,9 @@
 # ensure_packages NAME...: installs those that are missing; where it may not or cannot, prints the line that does it
 # and ends the script.
 # configure PRESET: makes build/PRESET of this folder ready, once, and anew if the folder was moved since.
+# configure PRESET FOLDER: the same of build/FOLDER, which another preset may have made.
 # compilers_at_once: prints how many compilers may run at once.
-# build_and_test PRESET: builds it and runs its tests.
+# build_and_test PRESET [FOLDER]: builds it and runs its tests.
 
 build_packages=(
     cmake g++ libcairo2-dev libcli11-dev libegl-dev libepoxy-dev libfmt-dev libfontconfig-dev libglfw3-dev
@@ -57,13 +58,14 @@ ensure_packages() {
 }
 
 configure() {
-    local build=build/$1 launcher=()
+    local build=build/${2:-$1} launcher=() fresh=(--fresh)
     if [ -f "$build/build.ninja" ] && grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$(pwd -P)" "$build/CMakeCache.txt"; then
-        return
+        [ $# -eq 1 ] && return
+        fresh=()
     fi
     # Where ccache is there, the compiler's results are kept between builds.
     command -v ccache >/dev/null && launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
-    cmake --fresh --preset "$1" "${launcher[@]}"
+    cmake "${fresh[@]}" --preset "$1" "${launcher[@]}"
 }
 
 # One a core, where there is the gigabyte for each that the largest files take; more, and small machines run out.
@@ -72,10 +74,10 @@ compilers_at_once() {
 }
 
 build_and_test() {
-    configure "$1"
+    configure "$@"
     cmake --build --preset "$1" --parallel "$(compilers_at_once)"
     # One more than processors: those of the window often wait.
     ctest --preset "$1" --parallel "$(($(nproc) + 1))"
     # Each of these is a defect to mend.
-    grep -h '^NEEDED A SECOND TRY' "build/$1/Testing/Temporary/LastTest.log" || true
+    grep -h '^NEEDED A SECOND TRY' "build/${2:-$1}/Testing/Temporary/LastTest.log" || true
 }

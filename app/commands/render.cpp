@@ -76,7 +76,7 @@ DrawnPage page_for(const PageLayout& layout, const RenderOptions& options) {
 
 namespace {
 
-constexpr double kLargeFile = 20e6;  // bytes: it is told before it is written
+constexpr double kReportedSize = 20e6;  // bytes: it is told before it is written
 
 // The work from stage to stage: how far it is, told to whoever watches or else to the terminal, and how long
 // it took.
@@ -313,7 +313,7 @@ Rendered saved_part(const PlacedPicture& placed, const RenderOptions& options, S
     const bool measured = dots.count <= kMostSortedDots;
     const double bytes = measured ? estimated_bytes(format, settings, drawing)
                                   : estimated_bytes_at_once(format, settings, drawing);
-    if (bytes >= kLargeFile) stages.say(fmt::format("about {} will be written", bytes_in_words(bytes)));
+    if (bytes >= kReportedSize) stages.say(fmt::format("about {} will be written", bytes_in_words(bytes)));
     stages.begin(fmt::format("writing {} dots", grouped(dots.count)), 0.7, 1);
     const LaidOutDrawing laid_out{.plan = plan,
                                   .file = placed.file,

@@ -16,12 +16,12 @@ namespace dapple {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 constexpr int kSamplesAlongTexel = 8;  // for the sun's edge
 
 // y up.
 glm::dvec3 towards(double u, double elevation) {
-    const double around = 2 * kPi * u;
+    const double around = 2 * pi * u;
     return {portable::cos(elevation) * portable::cos(around), portable::sin(elevation),
             portable::cos(elevation) * portable::sin(around)};
 }
@@ -54,17 +54,17 @@ glm::dvec3 vault(const glm::dvec3& d, const glm::dvec3& sun, double clouds) {
 
 EnvironmentMap sky_map(const Sky& sky) {
     const int width = 2 * sky.height, height = sky.height;
-    const glm::dvec3 sun = towards(sky.sun_u, sky.sun_elevation * kPi / 180);
-    const double edge = portable::cos(sky.sun_radius * kPi / 180);
-    const double texel = kPi / height;
-    const double reach = portable::cos(std::min(sky.sun_radius * kPi / 180 + 2 * texel, kPi));
+    const glm::dvec3 sun = towards(sky.sun_u, sky.sun_elevation * pi / 180);
+    const double edge = portable::cos(sky.sun_radius * pi / 180);
+    const double texel = pi / height;
+    const double reach = portable::cos(std::min(sky.sun_radius * pi / 180 + 2 * texel, pi));
     const glm::dvec3 ground = glm::dvec3(0.16, 0.12, 0.08) * (0.6 + 1.4 * std::max(sun.y, 0.0));
 
     Grid<glm::vec3> radiance(width, height);
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
             const auto place = [&](double i, double j) {
-                return towards((x + i) / width, kPi * (0.5 - (y + j) / height));
+                return towards((x + i) / width, pi * (0.5 - (y + j) / height));
             };
             const glm::dvec3 centre = place(0.5, 0.5);
             glm::dvec3 light = centre.y > 0 ? vault(centre, sun, sky.clouds) : ground;
@@ -131,8 +131,8 @@ EnvironmentMap::EnvironmentMap(Grid<glm::vec3> radiance) : radiance_(std::move(r
 
 double EnvironmentMap::solid_angle(int row) const {
     // cos a - cos b = 2 sin((a + b) / 2) sin((b - a) / 2), without the cancellation near the poles.
-    const double half = kPi / height() / 2;
-    return 2 * kPi / width() * 2 * portable::sin((2 * row + 1) * half) * portable::sin(half);
+    const double half = pi / height() / 2;
+    return 2 * pi / width() * 2 * portable::sin((2 * row + 1) * half) * portable::sin(half);
 }
 
 glm::dvec3 EnvironmentMap::at(glm::dvec2 uv) const {
@@ -149,7 +149,7 @@ glm::dvec3 EnvironmentMap::at(glm::dvec2 uv) const {
 
 Density light_density(const EnvironmentMap& map, LightImportance importance, int first_column) {
     const int width = map.width(), height = map.height();
-    const double mean = luminance(map.total_flux()) / (4 * kPi);
+    const double mean = luminance(map.total_flux()) / (4 * pi);
     const auto fill = [&](double subtracted) {
         std::vector<double> row_factor(height);
         for (int y = 0; y < height; ++y) row_factor[y] = map.solid_angle(y);

@@ -11,7 +11,7 @@ namespace dapple {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 // What the map's centre, its quarter and its top are in space. centre x quarter is up, except in pbrt, whose
 // maps run the other way round.
@@ -37,7 +37,7 @@ Frame frame_of(SphereConvention convention) {
 
 glm::dvec3 direction_of(glm::dvec2 uv, SphereConvention convention) {
     const Frame frame = frame_of(convention);
-    const double around = 2 * kPi * (0.5 - uv.x), theta = kPi * uv.y;
+    const double around = 2 * pi * (0.5 - uv.x), theta = pi * uv.y;
     return portable::sin(theta) *
                (portable::cos(around) * frame.centre + portable::sin(around) * frame.quarter) +
            portable::cos(theta) * frame.up;
@@ -46,17 +46,17 @@ glm::dvec3 direction_of(glm::dvec2 uv, SphereConvention convention) {
 glm::dvec2 uv_of(glm::dvec3 direction, SphereConvention convention) {
     const Frame frame = frame_of(convention);
     const double forward = glm::dot(direction, frame.centre), sideways = glm::dot(direction, frame.quarter);
-    double u = 0.5 - portable::atan2(sideways, forward) / (2 * kPi);
+    double u = 0.5 - portable::atan2(sideways, forward) / (2 * pi);
     if (u >= 1) u -= 1;
     const double v =
         portable::atan2(std::sqrt(forward * forward + sideways * sideways), glm::dot(direction, frame.up)) /
-        kPi;
+        pi;
     return {std::max(u, 0.0), v};
 }
 
 glm::dvec3 turned_about_up(glm::dvec3 direction, double degrees, SphereConvention convention) {
     const glm::dvec3 up = frame_of(convention).up;
-    const double angle = degrees * kPi / 180;
+    const double angle = degrees * pi / 180;
     const glm::dvec3 along = glm::dot(direction, up) * up;
     return along + portable::cos(angle) * (direction - along) +
            portable::sin(angle) * glm::cross(up, direction);

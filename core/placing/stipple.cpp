@@ -176,9 +176,9 @@ void fill_critical_scales(DotPieces& dots, const Density& density) {
 
 namespace {
 
-using Pieces = std::function<void(const TakePiece& take)>;
+using PieceSource = std::function<void(const TakePiece& take)>;
 
-std::uint64_t count_of(const Pieces& pieces) {
+std::uint64_t count_of(const PieceSource& pieces) {
     std::uint64_t count = 0;
     pieces([&](const Dots& piece) {
         count += piece.size();
@@ -187,7 +187,7 @@ std::uint64_t count_of(const Pieces& pieces) {
     return count;
 }
 
-Pieces finished(const StreamRequest& request, const Pieces& pieces) {
+PieceSource finished(const StreamRequest& request, const PieceSource& pieces) {
     return [request, pieces](const TakePiece& take) {
         Dots cut;
         pieces([&](const Dots& piece) {
@@ -213,7 +213,7 @@ PlacingRequest placing_of(Placer& placer, const Density& density, const StreamRe
 
 DotStream stream(Placer& placer, const Density& density, const StreamRequest& request) {
     const PlacingRequest placing = placing_of(placer, density, request);
-    const Pieces pieces = [&placer, &density, placing](const TakePiece& take) {
+    const PieceSource pieces = [&placer, &density, placing](const TakePiece& take) {
         placer.hand_over(density, placing, take);
     };
     const bool whole_page = request.part == PagePart{};

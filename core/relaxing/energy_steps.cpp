@@ -24,7 +24,7 @@ static_assert(EnergySteps::kLongestStep * EnergySteps::kLongestStep >
 
 constexpr float kLeastDensity = 1e-6f;
 // In standard deviations: farther in, nothing of an edge is felt, wherever it waves to.
-constexpr float kFarFromEdge = 5;
+constexpr float kDeviationsFromEdge = 5;
 
 // Where one side is a hundred times as dense as the other, what a blur lacks of a Gaussian pulls on dots of
 // the sparse side as hard as they push each other.
@@ -169,7 +169,7 @@ DotStep EnergySteps::slope(float x, float y, const Kernels& kernels, float tone)
     float share = 1, slope_x = 0, slope_y = 0;
     const float deviation = std::sqrt(kernels.variance);
     const auto end = [&](float away, float from_middle, float inwards, float& slope) {
-        if (away > kFarFromEdge * deviation) return;
+        if (away > kDeviationsFromEdge * deviation) return;
         const float beyond = beyond_edge(kWavesOfDensity, from_middle / kernels.apart, tone) * kernels.apart;
         const BlurredStep step((away + beyond) / deviation);
         slope += inwards * step.slope / (deviation * step.value);

@@ -29,4 +29,10 @@ inline bool keeps_density(float here, float there, float chance) {
     return there > 0 && chance < ratio * ratio * (there < here ? ratio : 1);
 }
 
+/// Without chance: a dot does not go where there is less than this share of the tone that it comes from.
+inline constexpr float kLeastShare = 0.25f;
+
+/// So often is a step tried that it cannot take, each time half as long.
+inline constexpr int kShorterTries = 3;
+
 }  // namespace dapple

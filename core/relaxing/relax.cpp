@@ -17,11 +17,6 @@ namespace dapple {
 
 namespace {
 
-// A dot stays where the ink is: it does not go where there is less than this share of the tone that it comes
-// from.
-constexpr float kLeastShare = 0.25f;
-constexpr int kShorterTries = 3;
-
 // Densities over which the one kind of step passes into the other.
 constexpr float kEvenWithin = 0.1f;
 

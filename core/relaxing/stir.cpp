@@ -23,9 +23,6 @@ constexpr float kPlainSpread = 0.7416198f;  // sqrt(11 / 20)
 constexpr double kFewTiles = 2, kManyTiles = 16;
 // Where dots are further apart than so many rows they are carried as if they were not.
 constexpr float kMostRowsApart = 8;
-// A dot stays where the ink is, as in a step.
-constexpr float kLeastShare = 0.25f;
-constexpr int kShorterTries = 3;
 
 // Nearly normally distributed. No logarithm or sine: their last bits would not be the same everywhere.
 float random_at(int level, std::uint64_t column, std::uint64_t row) {

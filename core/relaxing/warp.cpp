@@ -146,7 +146,7 @@ constexpr float kMostAtOnce = 0.3f;  // of what there should be
 constexpr float kLeastLight = 0.004f, kFadeOfLight = 0.03f;
 constexpr int kStepsOfLight = 4096;
 
-constexpr float kLeastDensity = 0.03f;  // of the mean: sparse dots are not sent far
+constexpr float kLeastWarpedDensity = 0.03f;  // of the mean: sparse dots are not sent far
 
 constexpr float kWhole = 1 << 10;  // counts of dots are in so many parts: sums do not depend on their order
 
@@ -354,7 +354,7 @@ Displacement Warp::displacement_for(Grid<float> excess) const {
         for (int x = 0; x < width_; ++x) excess.row(y)[x] -= share * wanted_.row(y)[x];
     });
     const Grid<float> phi = poisson(std::move(excess), cell_);
-    const auto least = static_cast<float>(static_cast<double>(kLeastDensity) * all / width_ / height_);
+    const auto least = static_cast<float>(static_cast<double>(kLeastWarpedDensity) * all / width_ / height_);
     const auto through = [&](float from, float to, float one, float other, float length) {
         return (to - from) / (length * times * std::max((one + other) / 2, least));
     };

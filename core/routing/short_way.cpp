@@ -25,10 +25,10 @@ namespace {
 constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
 // Pieces of the way, of one dot or more, that become one.
-class Pieces {
+class RoutePieces {
  public:
     // A dot that is held is linked with what lies beyond the way.
-    Pieces(std::uint32_t dots, bool holds_first, bool holds_last)
+    RoutePieces(std::uint32_t dots, bool holds_first, bool holds_last)
         : beyond_(dots), links_(dots, {kNone, kNone}), other_end_(dots + 1), count_(dots) {
         std::iota(other_end_.begin(), other_end_.end(), 0u);
         if (holds_first) links_.front()[0] = beyond_;
@@ -97,7 +97,7 @@ std::vector<std::uint32_t> greedy_way(std::span<const float> x, std::span<const 
         std::uint32_t a, b;
         auto operator<=>(const Link&) const = default;
     };
-    Pieces pieces(static_cast<std::uint32_t>(x.size()), holds_first, holds_last);
+    RoutePieces pieces(static_cast<std::uint32_t>(x.size()), holds_first, holds_last);
     std::vector<std::uint32_t> ends = pieces.ends(), near_ends;
     while (pieces.count() > 1) {
         std::vector<Link> links;

@@ -9,12 +9,12 @@
 namespace dapple {
 namespace {
 
-struct Named {
+struct KnownFormat {
     PictureFormat format;
     std::string_view reader, name;
 };
 
-constexpr std::array<Named, 16> kFormats{{
+constexpr std::array<KnownFormat, 16> kFormats{{
     {PictureFormat::png, "png", "PNG"},
     {PictureFormat::jpeg, "jpeg", "JPEG"},
     {PictureFormat::tiff, "tiff", "TIFF"},
@@ -138,11 +138,11 @@ std::optional<StatedSize> stated_size(PictureFormat format, std::span<const unsi
 }
 
 std::string_view reader_of(PictureFormat format) {
-    return std::ranges::find(kFormats, format, &Named::format)->reader;
+    return std::ranges::find(kFormats, format, &KnownFormat::format)->reader;
 }
 
 std::optional<PictureFormat> format_with_reader(std::string_view reader) {
-    const auto found = std::ranges::find(kFormats, reader, &Named::reader);
+    const auto found = std::ranges::find(kFormats, reader, &KnownFormat::reader);
     return found == kFormats.end() ? std::nullopt : std::optional(found->format);
 }
 

@@ -13,7 +13,7 @@
 namespace dapple {
 namespace {
 
-constexpr std::uint64_t kHeader = 26;
+constexpr std::uint64_t kWholeHeader = 26;
 
 [[noreturn]] void fail_at_row(int y) {
     throw DecodeError("the picture is damaged (row " + std::to_string(y) + " is not there)");
@@ -48,7 +48,7 @@ PsdPicture::PsdPicture(int file) : file_(file) {
     width_ = static_cast<int>(std::min<std::uint64_t>(number_at(18, 4), INT32_MAX));
     bits_ = static_cast<int>(number_at(22, 2));
     const auto mode = static_cast<int>(number_at(24, 2));
-    const std::uint64_t resources = kHeader + 4 + number_at(kHeader, 4);
+    const std::uint64_t resources = kWholeHeader + 4 + number_at(kWholeHeader, 4);
     layers_ = resources + 4 + number_at(resources, 4);
     data_ = layers_ + static_cast<std::uint64_t>(long_bytes_) + number_at(layers_, long_bytes_);
     std::array<char, 2> way{};

@@ -23,7 +23,7 @@ constexpr double kMargin = 30;
 constexpr double kGap = 26;
 constexpr double kLargeSide = 216;
 constexpr double kSmallSide = 155.5;
-constexpr double kTop = 54;  // of the upper row
+constexpr double kUpperRow = 54;  // of the upper row
 constexpr double kCaption = 38;
 constexpr std::size_t kMostNumbers = 64;
 constexpr std::size_t kMostCircled = 256;  // smaller circles cannot be told from the points
@@ -54,13 +54,14 @@ class Figure {
     void write() {
         begin();
         const auto large = [](int column) {
-            return Panel{kMargin + column * (kLargeSide + kGap), kTop, kLargeSide};
+            return Panel{kMargin + column * (kLargeSide + kGap), kUpperRow, kLargeSide};
         };
         write_tile(large(0));
         write_copies(large(1));
         write_ranks(large(2));
         for (int k = 0; k < 4; ++k) {
-            const Panel panel{kMargin + k * (kSmallSide + kGap), kTop + kLargeSide + kCaption, kSmallSide};
+            const Panel panel{kMargin + k * (kSmallSide + kGap), kUpperRow + kLargeSide + kCaption,
+                              kSmallSide};
             write_first(panel, k + 1);
         }
         text_ << "</svg>\n";

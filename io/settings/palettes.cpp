@@ -173,7 +173,7 @@ bool names_a_palette(const std::string& name) {
     return is_pen_name(name) && !names_pen_set(name);
 }
 
-NamedFiles files_in(const fs::path& folder) {
+NamedFiles palette_files(const fs::path& folder) {
     NamedFiles files{.folder = folder, .what = "palette", .ending = ".json"};
     for (const NamedPalette& palette : built_in_palettes()) files.built_in.push_back(palette.name);
     return files;
@@ -192,7 +192,7 @@ fs::path palettes_folder() {
 }
 
 std::vector<std::string> own_palettes(const fs::path& folder) {
-    std::vector<std::string> names = files_in(folder).names();
+    std::vector<std::string> names = palette_files(folder).names();
     std::erase_if(names, [](const std::string& name) { return !names_a_palette(name); });
     return names;
 }
@@ -201,7 +201,7 @@ NamedPalette palette_named(const std::string& name, const fs::path& folder) {
     const auto& built_in = built_in_palettes();
     const auto found = std::ranges::find(built_in, name, &NamedPalette::name);
     if (found != built_in.end()) return *found;
-    const fs::path file = names_a_palette(name) ? files_in(folder).find(name) : fs::path();
+    const fs::path file = names_a_palette(name) ? palette_files(folder).find(name) : fs::path();
     if (!file.empty()) return {name, "", read_pens(file).own};
     std::vector<std::string> names;
     for (const NamedPalette& palette : built_in) names.push_back(palette.name);
@@ -216,11 +216,11 @@ void save_palette(const std::string& name, const Palette& pens, const fs::path& 
             fmt::format("\"{}\" is no name for a palette; give up to 40 plain letters, digits, spaces and - "
                         "_ . ( ), and not the name of a set, such as cmyk",
                         printable(name)));
-    files_in(folder).save(name, pens_text(own_pens(pens).own));
+    palette_files(folder).save(name, pens_text(own_pens(pens).own));
 }
 
 void remove_palette(const std::string& name, const fs::path& folder) {
-    files_in(folder).remove(name);
+    palette_files(folder).remove(name);
 }
 
 }  // namespace dapple

@@ -72,7 +72,7 @@ std::vector<Preset> made_presets() {
     };
 }
 
-NamedFiles files_in(const fs::path& folder) {
+NamedFiles preset_files(const fs::path& folder) {
     NamedFiles files{.folder = folder, .what = "preset", .ending = kProjectEnding};
     for (const Preset& preset : built_in_presets()) files.built_in.push_back(preset.name);
     return files;
@@ -95,14 +95,14 @@ fs::path presets_folder() {
 }
 
 std::vector<std::string> own_presets(const fs::path& folder) {
-    return files_in(folder).names();
+    return preset_files(folder).names();
 }
 
 Preset preset_named(const std::string& name, const fs::path& folder) {
     const auto& built_in = built_in_presets();
     const auto found = std::ranges::find(built_in, name, &Preset::name);
     if (found != built_in.end()) return *found;
-    const fs::path file = files_in(folder).find(name);
+    const fs::path file = preset_files(folder).find(name);
     if (file.empty())
         throw std::runtime_error(
             fmt::format("there is no preset \"{}\"; `dapple presets` lists them all", printable(name)));
@@ -112,13 +112,13 @@ Preset preset_named(const std::string& name, const fs::path& folder) {
 }
 
 void save_preset(const std::string& name, const SavedSettings& settings, const fs::path& folder) {
-    const NamedFiles files = files_in(folder);
+    const NamedFiles files = preset_files(folder);
     SavedSettings written = settings;
     files.save(name, settings_text("", {files.path_of(name)}, all_of_preset(written)));
 }
 
 void remove_preset(const std::string& name, const fs::path& folder) {
-    files_in(folder).remove(name);
+    preset_files(folder).remove(name);
 }
 
 DrawingSettings with_preset(const DrawingSettings& preset, const DrawingSettings& present) {

@@ -15,7 +15,7 @@ namespace dapple {
 namespace {
 
 constexpr double kRampScale = 400;
-constexpr double kFigure8Scale = 2500;
+constexpr double kComparedScale = 2500;
 
 // White at the left, black at the right.
 Density ramp() {
@@ -90,7 +90,7 @@ void add_spectra(HtmlPage& page) {
     between.tile = "paper16";
     between.ranking = RankingMethod::paper;
     between.placer = PlacerKind::figure8;
-    between.placing = {.scale = kFigure8Scale, .count = {}, .threads = 0};
+    between.placing = {.scale = kComparedScale, .count = {}, .threads = 0};
     DrawingSettings complete = between;
     complete.placing.scale = 4096;
     DrawingSettings joint = between;

@@ -14,7 +14,7 @@ namespace dapple {
 namespace {
 
 constexpr int kRules = 8 * 8 * 8 * 8;
-constexpr int kLags = 64;
+constexpr int kRuleLags = 64;
 // Enough for a bound from below: rules that repeat mostly do so nearby.
 constexpr int kNearLags = 8;
 constexpr std::size_t kRulesAtOnce = 16;
@@ -77,7 +77,7 @@ std::vector<RuleMarks> best_rules(std::size_t count) {
     count = std::min(count, rules.size());
     while (seen < rules.size() && (seen < count || repetition(rules[seen]) < repetition(rules[count - 1]))) {
         const std::size_t end = std::min(rules.size(), seen + kRulesAtOnce);
-        tbb::parallel_for(seen, end, [&](std::size_t i) { rules[i] = marks_of(rules[i].rule, kLags); });
+        tbb::parallel_for(seen, end, [&](std::size_t i) { rules[i] = marks_of(rules[i].rule, kRuleLags); });
         seen = end;
         sort_by_repetition(std::span(rules).first(seen));
     }

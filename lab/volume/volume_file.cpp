@@ -104,14 +104,14 @@ const std::map<std::string_view, Kind> kPlyKinds{
 };
 
 // Squares of what is no further off are numbers.
-constexpr double kFurthest = 1e100;
+constexpr double kFarthestFromOrigin = 1e100;
 
 glm::dvec3 finite(const std::filesystem::path& file, const glm::dvec3& point, std::size_t number) {
     for (int axis = 0; axis < 3; ++axis) {
         if (!std::isfinite(point[axis])) fail(file, fmt::format("vertex {} is nowhere", number));
-        if (std::abs(point[axis]) > kFurthest)
+        if (std::abs(point[axis]) > kFarthestFromOrigin)
             fail(file, fmt::format("vertex {} is further off than {:g}; scale the cloud down first", number,
-                                   kFurthest));
+                                   kFarthestFromOrigin));
     }
     return point;
 }

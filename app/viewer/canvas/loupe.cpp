@@ -97,8 +97,9 @@ void draw_dot_card(const PlacedDrawing& shown, const PlacedWith& with, const Cam
 
 namespace {
 
-constexpr int kPictureSide = 480;       // pixels of the folded picture, shown half as large
-constexpr double kDotRadius = 0.28;     // in mean spacings: small enough to see each dot of a repeating tile
+constexpr int kPictureSide = 480;  // pixels of the folded picture, shown half as large
+constexpr double kFoldedDotRadius =
+    0.28;                               // in mean spacings: small enough to see each dot of a repeating tile
 constexpr double kLargestRadius = 0.2;  // in periods
 constexpr float kLensSide = 240;        // at 96 dpi
 
@@ -199,7 +200,8 @@ void Loupe::fold(const LoupeView& view, const LoupeSquare& square) {
     const Folding folding = folded(view.shown, square);
     repetition_ = repetition(folding);
     const double dots_a_layer = static_cast<double>(folding.points.size()) / folding.layers;
-    const double radius = std::min(kDotRadius / std::sqrt(std::max(dots_a_layer, 1e-3)), kLargestRadius);
+    const double radius =
+        std::min(kFoldedDotRadius / std::sqrt(std::max(dots_a_layer, 1e-3)), kLargestRadius);
     picture_.write(inked(mean_of_layers(folding, radius, kPictureSide), view.paper, view.ink));
 }
 

@@ -35,12 +35,12 @@ constexpr std::chrono::milliseconds kPatience(8);
 constexpr std::chrono::milliseconds kLongPatience(50);
 
 constexpr const char* kFindPicture = "Find the picture";
-constexpr const char* kSample = "Still life";
+constexpr const char* kSampleName = "Still life";
 
 // Either may be empty.
 std::string name_of(const fs::path& project, const fs::path& picture) {
     const fs::path& file = project.empty() ? picture : project;
-    return file.empty() ? kSample : printable(file.filename().native());
+    return file.empty() ? kSampleName : printable(file.filename().native());
 }
 
 }  // namespace
@@ -190,7 +190,7 @@ void Session::read_source() {
 }
 
 void Session::read_sample() {
-    pane_.worker().open(kSample, [] { return sample_picture(PictureColours::kept); });
+    pane_.worker().open(kSampleName, [] { return sample_picture(PictureColours::kept); });
 }
 
 void Session::read(const fs::path& path) {

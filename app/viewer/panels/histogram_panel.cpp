@@ -17,7 +17,7 @@ constexpr int kColumns = 128;                              // two 8-bit values e
 constexpr float kGap = 0.01f;                              // black stays below white
 constexpr float kLeastGamma = 0.25f, kMostGamma = 4;
 
-enum Handle { kBlack, kMiddle, kWhite };
+enum Handle { kBlackHandle, kMiddleHandle, kWhiteHandle };
 constexpr std::array<const char*, 3> kNames{"Black point handle", "Middle handle", "White point handle"};
 
 struct Frame {
@@ -49,11 +49,11 @@ int nearest_handle(const std::array<float, 3>& values, float encoded) {
 }
 
 void move_handle(int handle, float encoded, Tone& tone) {
-    if (handle == kBlack)
+    if (handle == kBlackHandle)
         tone.black_point = std::clamp(encoded, 0.0f, std::max(0.0f, tone.white_point - kGap));
-    if (handle == kWhite)
+    if (handle == kWhiteHandle)
         tone.white_point = std::clamp(encoded, std::min(1.0f, tone.black_point + kGap), 1.0f);
-    if (handle == kMiddle) {
+    if (handle == kMiddleHandle) {
         const float range = std::max(tone.white_point - tone.black_point, kGap);
         const float at = std::clamp((encoded - tone.black_point) / range, 1e-4f, 0.9999f);
         tone.gamma = std::clamp(std::log(at) / std::log(half_covered()), kLeastGamma, kMostGamma);

@@ -18,7 +18,7 @@ namespace dapple {
 namespace {
 
 constexpr std::size_t kMostNumbered = 24;
-constexpr float kLargestSide = 300;  // at 96 dpi
+constexpr float kLargestTileSide = 300;  // at 96 dpi
 // It is paper in each theme, as its points have colours of ink.
 constexpr ImU32 kPaperColour = IM_COL32_WHITE, kLetters = IM_COL32(222, 217, 207, 255),
                 kLines = IM_COL32(190, 185, 175, 255), kKindNumbers = IM_COL32(0, 0, 0, 45),
@@ -64,13 +64,13 @@ void draw_children(const Square& square, const NextKinds::value_type& children, 
 
 // A legend of all kinds: each in its colour, and below it its children.
 void draw_kinds(const NextKinds& kinds, float unit) {
-    constexpr std::size_t kColumns = 8;
-    const float width = ImGui::GetContentRegionAvail().x / kColumns, side = std::floor(width - 6 * unit);
+    constexpr std::size_t kKindColumns = 8;
+    const float width = ImGui::GetContentRegionAvail().x / kKindColumns, side = std::floor(width - 6 * unit);
     const float head = ImGui::GetTextLineHeight();
     const ImVec2 start = ImGui::GetCursorScreenPos();
     for (std::size_t k = 0; k < kinds.size(); ++k) {
-        const ImVec2 corner(std::floor(start.x + width * static_cast<float>(k % kColumns)),
-                            start.y + (head + side + 6 * unit) * static_cast<float>(k / kColumns));
+        const ImVec2 corner(std::floor(start.x + width * static_cast<float>(k % kKindColumns)),
+                            start.y + (head + side + 6 * unit) * static_cast<float>(k / kKindColumns));
         ImGui::SetCursorScreenPos(corner);
         ImGui::Dummy({side, head + side});
         note_place(fmt::format("Kind {}", k).c_str());
@@ -138,7 +138,7 @@ void draw_tile_panel(const TileView& tile, TilePanelState& state) {
     const std::size_t count = tile.points.size();
     const float unit = ImGui::GetTextLineHeight() / 15;
     const float width = ImGui::GetContentRegionAvail().x;
-    const float side = std::floor(std::min(width, kLargestSide * unit));
+    const float side = std::floor(std::min(width, kLargestTileSide * unit));
     const ImVec2 cursor = ImGui::GetCursorScreenPos();
     const Square square{{cursor.x + std::floor((width - side) / 2), cursor.y}, side};
     ImGui::SetCursorScreenPos(square.corner);

@@ -44,16 +44,16 @@ bool draw_automatic(DrawingSettings& settings) {
 }
 
 bool draw_levels(Tone& tone, const Tone& usual) {
-    constexpr float kGap = 0.01f;  // black stays below white
+    constexpr float kLeastGap = 0.01f;  // black stays below white
     bool changed = false;
     if (slider_row(setting::black_point, tone.black_point, {.usual = usual.black_point})) {
-        tone.black_point = std::min(tone.black_point, 1 - kGap);
-        tone.white_point = std::max(tone.white_point, tone.black_point + kGap);
+        tone.black_point = std::min(tone.black_point, 1 - kLeastGap);
+        tone.white_point = std::max(tone.white_point, tone.black_point + kLeastGap);
         changed = true;
     }
     if (slider_row(setting::white_point, tone.white_point, {.usual = usual.white_point})) {
-        tone.white_point = std::max(tone.white_point, kGap);
-        tone.black_point = std::min(tone.black_point, tone.white_point - kGap);
+        tone.white_point = std::max(tone.white_point, kLeastGap);
+        tone.black_point = std::min(tone.black_point, tone.white_point - kLeastGap);
         changed = true;
     }
     return slider_row(setting::gamma, tone.gamma, {.usual = usual.gamma}) || changed;

@@ -23,6 +23,10 @@ class Window;
 /// An arrow key moves the view by so much of the canvas's shorter side.
 inline constexpr double kPanStep = 0.1;
 
+inline void toggle(bool& value) {
+    value = !value;
+}
+
 /// What a document draws itself into: the canvas to the left, the panels beside it.
 struct Frame {
     Window& window;

@@ -55,10 +55,6 @@ const std::vector<std::string> kPictures{kProjectEnding, ".svg", ".png",  ".jpg"
                                          ".tga",         ".psd", ".ppm",  ".pgm",  ".pnm",  ".jp2",
                                          ".heic",        ".dpx", ".fits", ".ico",  ".pic"};
 
-void toggle(bool& value) {
-    value = !value;
-}
-
 double crop_proportion(const Session& session) {
     const glm::ivec2 picture = session.pane().page().picture_pixels;
     return percent_proportion(session.cropping.proportion,

@@ -97,10 +97,6 @@ double work_ms() {
 // Sections of rows that are in dialogs, where rows are listed.
 constexpr const char *kPreferenceRows = "Preferences", *kExportRows = "Export";
 
-void toggle(bool& value) {
-    value = !value;
-}
-
 // What it shows lengths in; null: it shows none.
 LengthUnit* unit_of(Document& document) {
     Session* const session = document.session();
