@@ -109,13 +109,42 @@ std::string with_define(std::string_view source, std::initializer_list<const cha
     return text;
 }
 
-// About so long is what is drawn between two looks at the clock.
+using Clock = std::chrono::steady_clock;
+
 constexpr double kSliceSeconds = 0.008;
 constexpr std::size_t kFewestDots = DotCost::kFewestDots, kMostDotsAtOnce = 1 << 19;
 constexpr double kRasterSlowness = 0.06;    // of the processor's dots beside those of OpenGL on it
 constexpr std::size_t kTilesAtOnce = 4096;  // and as many are drawn quickly
 
+void learn(double& mean, double now) {
+    mean += 0.5 * (now - mean);
+}
+
 }  // namespace
+
+// For how long a drawing goes forward now. Where that has no end, nobody looks at the clock: to do so he has
+// to wait for OpenGL.
+class Renderer::Turn {
+ public:
+    explicit Turn(double seconds) : seconds_(seconds) {}
+
+    bool ends() const { return seconds_ < std::numeric_limits<double>::infinity(); }
+    bool is_over() const { return over_; }
+    /// About so long is what is drawn between two looks at the clock.
+    double slice() const { return std::min(kSliceSeconds, seconds_); }
+    /// Waits until OpenGL has drawn all, and returns how long it took since then.
+    double finish(Clock::time_point since = Clock::now()) {
+        glFinish();
+        const Clock::time_point now = Clock::now();
+        over_ = std::chrono::duration<double>(now - begin_).count() >= seconds_;
+        return std::chrono::duration<double>(now - since).count();
+    }
+
+ private:
+    const Clock::time_point begin_ = Clock::now();
+    double seconds_;
+    bool over_ = false;
+};
 
 bool have_same_desk(const CanvasLook& a, const CanvasLook& b) {
     // Tiles' lines along the sheet's edges lie on it.
@@ -227,7 +256,6 @@ void Renderer::set_picture(PictureLevels levels) {
 }
 
 bool Renderer::upload(double seconds) {
-    using Clock = std::chrono::steady_clock;
     constexpr int kPixelsAtOnce = 1 << 17;
     const auto begin = Clock::now();
     while (uploading_) {
@@ -317,106 +345,108 @@ Renderer::Job Renderer::job_of(const Camera& camera, const CanvasLook& look, Fin
     return job;
 }
 
-// Looks at the clock only where there is an end to the time: to do so it has to wait for OpenGL.
 bool Renderer::go_on(Job& job, const GlFramebuffer& picture, double seconds) {
-    using Clock = std::chrono::steady_clock;
-    const auto begin = Clock::now();
-    const auto passed = [](Clock::time_point since) {
-        return std::chrono::duration<double>(Clock::now() - since).count();
-    };
-    const bool in_steps = seconds < std::numeric_limits<double>::infinity();
-    const auto measured = [](double& mean, double now) { mean += 0.5 * (now - mean); };
-    const auto height = static_cast<int>(job.camera.canvas.y);
+    Turn turn(seconds);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     glDisable(GL_SCISSOR_TEST);
     glEnable(GL_BLEND);
     glBlendEquation(GL_FUNC_ADD);
-    const double slice_seconds = std::min(kSliceSeconds, seconds);
-    bool goes_on = true;
-    // As others find it who draw in between: ImGui gives a program back that may be deleted meanwhile.
-    const auto leave = [](bool done) {
-        glDisable(GL_BLEND);
-        glDisable(GL_SCISSOR_TEST);
-        glBindVertexArray(0);
-        glUseProgram(0);
-        return done;
-    };
-    const auto spent = [&] {
-        if (in_steps) goes_on = passed(begin) < seconds;
-        return !goes_on;
-    };
-    if (job.grid.samples > 0 && !job.prepared) {
-        prepare_dots(job);
-        if (job.raster && in_steps) processor_dots_.begin(raster_view(job), *job.raster);
-        if (in_steps) {
-            glFinish();
-            spent();
-        }
+    begin_dots(job, turn);
+    if (turn.ends())
+        add_dots(job, turn);
+    else
+        draw_all_dots(job, turn);
+    if (job.next_block == job.blocks.size()) {
+        hand_over_dots(job, turn);
+        add_page(job, picture, turn);
+        add_tiles(job, turn);
     }
+    // As others find it who draw in between: ImGui gives a program back that may be deleted meanwhile.
+    glDisable(GL_BLEND);
+    glDisable(GL_SCISSOR_TEST);
+    glBindVertexArray(0);
+    glUseProgram(0);
+    return job.is_done();
+}
+
+void Renderer::begin_dots(Job& job, Turn& turn) {
+    if (job.prepared) return;
     job.prepared = true;
-    const std::size_t from = job.next_block;
-    const auto dots_begin = Clock::now();
+    if (job.grid.samples == 0) return;
+    prepare_dots(job);
+    if (!turn.ends()) return;
+    if (job.raster) processor_dots_.begin(raster_view(job), *job.raster);
+    turn.finish();
+}
+
+// As many as there is time for.
+void Renderer::add_dots(Job& job, Turn& turn) {
+    while (!turn.is_over() && job.next_block < job.blocks.size()) {
+        const std::size_t before = job.next_block;
+        const Clock::time_point begin = Clock::now();
+        draw_dots(job, std::clamp(static_cast<std::size_t>(turn.slice() / seconds_per_dot_), kFewestDots,
+                                  kMostDotsAtOnce));
+        std::size_t drawn = 0;
+        for (std::size_t i = before; i < job.next_block; ++i) drawn += all_.blocks[job.blocks[i]].count;
+        learn(seconds_per_dot_, std::max(turn.finish(begin) / static_cast<double>(drawn), 1e-9));
+    }
+}
+
+// All, or a preview of them, and learns how long that takes.
+void Renderer::draw_all_dots(Job& job, Turn& turn) {
+    const Clock::time_point begin = Clock::now();
     double share_of_dots = 1;  // of the time
     if (job.every > 1 && !strokes_) show_preview(job);
-    if (job.raster && !in_steps) {
+    if (job.blocks.empty()) return;
+    if (job.raster) {
         share_of_dots =
             processor_dots_.draw(raster_view(job), *job.raster, ink_to_draw(job), job.blocks, by_pen());
         job.next_block = job.blocks.size();
     }
-    while (goes_on && job.next_block < job.blocks.size()) {
-        const auto slice = Clock::now();
-        const std::size_t before = job.next_block;
-        const auto most = static_cast<std::size_t>(slice_seconds / seconds_per_dot_);
-        draw_dots(job, std::clamp(most, kFewestDots, kMostDotsAtOnce));
-        if (!in_steps) continue;
-        glFinish();
-        std::size_t drawn = 0;
-        for (std::size_t i = before; i < job.next_block; ++i) drawn += all_.blocks[job.blocks[i]].count;
-        measured(seconds_per_dot_, std::max(passed(slice) / static_cast<double>(drawn), 1e-9));
-        spent();
-    }
-    if (!in_steps && job.next_block > from) {
-        glFinish();
-        dots_seconds_ = share_of_dots * passed(dots_begin);
-        const auto every = static_cast<double>(job.every);
-        const double drawn = static_cast<double>(job.in_view) / every,
-                     radius = in_samples(job, mean_radius(job.camera, job.look)) * std::sqrt(every);
-        if (drawn > 1000 && job.fineness == Fineness::quick) quick_cost_.learn(drawn, radius, dots_seconds_);
-    }
-    if (job.next_block < job.blocks.size()) return leave(false);
+    while (job.next_block < job.blocks.size()) draw_dots(job, kMostDotsAtOnce);
+    dots_seconds_ = share_of_dots * turn.finish(begin);
+    const auto every = static_cast<double>(job.every);
+    const double drawn = static_cast<double>(job.in_view) / every,
+                 radius = in_samples(job, mean_radius(job.camera, job.look)) * std::sqrt(every);
+    if (drawn > 1000 && job.fineness == Fineness::quick) quick_cost_.learn(drawn, radius, dots_seconds_);
+}
+
+// To OpenGL, where the processor has drawn them.
+void Renderer::hand_over_dots(Job& job, const Turn& turn) {
     if (job.raster && !job.uploaded) {
-        if (in_steps) processor_dots_.finish(by_pen());
+        if (turn.ends()) processor_dots_.finish(by_pen());
         processor_dots_.upload(dots_of(job), by_pen());
     }
     job.uploaded = true;
+}
+
+void Renderer::add_page(Job& job, const GlFramebuffer& picture, Turn& turn) {
+    const auto height = static_cast<int>(job.camera.canvas.y);
     picture.bind();
     glEnable(GL_SCISSOR_TEST);
     glDisable(GL_BLEND);
-    while (goes_on && job.next_row < height) {
-        const auto slice = Clock::now();
+    while (!turn.is_over() && job.next_row < height) {
+        const Clock::time_point begin = Clock::now();
         const int most =
-            in_steps ? static_cast<int>(std::min(slice_seconds / seconds_per_row_, 1e6)) : height;
+            turn.ends() ? static_cast<int>(std::min(turn.slice() / seconds_per_row_, 1e6)) : height;
         const int rows = std::clamp(most, 1, height - job.next_row);
         draw_page(job, picture, {{job.columns.first, job.next_row}, {job.columns.end, job.next_row + rows}});
         job.next_row += rows;
-        if (!in_steps) continue;
-        glFinish();
-        measured(seconds_per_row_, std::max(passed(slice) / rows, 1e-7));
-        spent();
+        if (turn.ends()) learn(seconds_per_row_, std::max(turn.finish(begin) / rows, 1e-7));
     }
-    if (job.next_row >= height && job.columns.first < job.columns.end) {
-        glScissor(job.columns.first, 0, job.columns.end - job.columns.first, height);
-        glEnable(GL_BLEND);
-        glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-        while (goes_on && job.tiles > 0) {
-            draw_tiles(job, kTilesAtOnce / 4);
-            if (!in_steps) continue;
-            glFinish();
-            spent();
-        }
+}
+
+void Renderer::add_tiles(Job& job, Turn& turn) {
+    const auto height = static_cast<int>(job.camera.canvas.y);
+    if (job.next_row < height || job.columns.first >= job.columns.end) return;
+    glScissor(job.columns.first, 0, job.columns.end - job.columns.first, height);
+    glEnable(GL_BLEND);
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    while (!turn.is_over() && job.tiles > 0) {
+        draw_tiles(job, kTilesAtOnce / 4);
+        if (turn.ends()) turn.finish();
     }
-    return leave(job.next_row >= height && (job.tiles == 0 || job.columns.first >= job.columns.end));
 }
 
 double Renderer::mean_radius(const Camera& camera, const CanvasLook& look) const {

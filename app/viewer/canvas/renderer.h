@@ -159,14 +159,27 @@ class Renderer {
         bool prepared = false;                   // there is an empty picture for the dots
         std::optional<RasterGrain> raster = {};  // the processor draws them, so finely
         bool uploaded = false;                   // and OpenGL has what it drew
+
+        bool is_done() const {
+            if (next_row < static_cast<int>(camera.canvas.y)) return false;
+            return tiles == 0 || columns.first >= columns.end;
+        }
     };
+    class Turn;
 
     Job job_of(const Camera& camera, const CanvasLook& look, Fineness fineness, Columns columns) const;
     static void measure_radii(Shown& shown);
     /// The mean radius of the dots that are looked at, in pixels.
     double mean_radius(const Camera& camera, const CanvasLook& look) const;
     DotGrid dot_grid(const Camera& camera, const CanvasLook& look, Fineness fineness, Columns columns) const;
+    /// Its dots, then the page with them, then tiles, for about so many seconds. True once all is there.
     bool go_on(Job& job, const GlFramebuffer& picture, double seconds);
+    void begin_dots(Job& job, Turn& turn);
+    void add_dots(Job& job, Turn& turn);
+    void draw_all_dots(Job& job, Turn& turn);
+    void hand_over_dots(Job& job, const Turn& turn);
+    void add_page(Job& job, const GlFramebuffer& picture, Turn& turn);
+    void add_tiles(Job& job, Turn& turn);
     GlFramebuffer& dots_of(const Job& job);
     RasterView raster_view(const Job& job) const;
     std::optional<RasterGrain> raster_of(const Job& job) const;
