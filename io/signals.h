@@ -1,41 +1,15 @@
 #pragma once
 // What Ctrl+C, SIGTERM and SIGHUP (a terminal that closes) do, in one place. As always they end the program;
-// but first they remove files that are half written, and where long work has asked for it, the first of them
-// only stops that work, which then keeps the best it has. What was switched off before, as nohup does with
-// SIGHUP and a shell with Ctrl+C for what runs in the background, stays off.
+// but where long work has asked for it, the first of them only stops that work, which then keeps the best it
+// has. What was switched off before, as nohup does with SIGHUP and a shell with Ctrl+C for what runs in the
+// background, stays off.
 
 #include <chrono>
-#include <cstddef>
-#include <filesystem>
 #include <optional>
 #include <stop_token>
 #include <thread>
 
 namespace dapple {
-
-/// More than pictures can be drawn at a time, each with a file under way and perhaps one for a moment.
-inline constexpr std::size_t kMostFilesUnderWay = 600;
-
-/// A file that is gone at the end of the scope, or when one of those signals ends the program before.
-class RemovedOnSignal {
- public:
-    /// The file is not made by this. Throws std::runtime_error if the path is too long, or if more than
-    /// kMostFilesUnderWay are.
-    explicit RemovedOnSignal(const std::filesystem::path& path);
-    RemovedOnSignal(const RemovedOnSignal&) = delete;
-    RemovedOnSignal& operator=(const RemovedOnSignal&) = delete;
-    ~RemovedOnSignal();
-
-    const char* path() const;
-    /// Makes the file and opens it to be read and written; -1 and errno if it cannot be, or if there is one.
-    /// While a signal ends the program, nothing is made any more: neither this nor the destructor returns.
-    int make() const;
-    /// What has this name from now on stays.
-    void keep();
-
- private:
-    std::size_t slot_;
-};
 
 /// While it lives, a Ctrl+C that ends the program says on the standard error that files are as before.
 class ToldWhenStopped {

@@ -310,16 +310,14 @@ Rendered saved_part(const PlacedPicture& placed, const RenderOptions& options, S
     }
 
     const auto pen_files = pen_files_of(options, format, plan.pens);
-    const bool measured = dots.count <= kMostSortedDots;
-    const double bytes = measured ? estimated_bytes(format, settings, drawing)
-                                  : estimated_bytes_at_once(format, settings, drawing);
-    if (bytes >= kReportedSize) stages.say(fmt::format("about {} will be written", bytes_in_words(bytes)));
+    const std::optional<double> bytes = estimated_bytes(format, settings, drawing);
+    if (bytes >= kReportedSize) stages.say(fmt::format("about {} will be written", bytes_in_words(*bytes)));
     stages.begin(fmt::format("writing {} dots", grouped(dots.count)), 0.7, 1);
     const LaidOutDrawing laid_out{.plan = plan,
                                   .file = placed.file,
                                   .page = page,
                                   .drawing = drawing,
-                                  .by_pen = measured ? held.get() : nullptr};
+                                  .by_pen = dots.count <= kMostSortedDots ? held.get() : nullptr};
     // Writing waits for the disk, or for one thread that compresses.
     std::future<DrawingFigures> figures =
         std::async(std::launch::async, [&] { return figures_of(laid_out); });

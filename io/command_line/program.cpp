@@ -13,7 +13,9 @@
 #include <memory>
 #include <new>
 #include <optional>
+#include <regex>
 #include <span>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -101,44 +103,30 @@ std::optional<std::string> wrong_option(const CLI::App& app, std::span<char* con
 
 constexpr std::size_t kNarrowest = 60;
 
-// Where a line's second column begins; npos: it has none.
-std::size_t second_column(std::string_view line) {
-    const std::size_t first = line.find_first_not_of(' ');
-    if (first == line.npos) return line.npos;
-    const std::size_t gap = line.find("  ", first);
-    // A name that is too long to have the second column beside it stands in the line before.
-    if (gap == line.npos) return first >= 10 ? first : line.npos;
-    return line.find_first_not_of(' ', gap);
-}
-
-void add_wrapped(std::string& result, std::string_view line, std::size_t width) {
-    const std::size_t column = second_column(line);
-    const bool as_it_is = line.starts_with(' ') && column == line.npos;
-    const std::size_t indent = column == line.npos || column > width / 2 ? 0 : column;
-    std::size_t before = 0;  // columns that are taken already, and where no line may end
-    for (std::size_t kept = indent; !as_it_is && before + line.size() > width; kept = 0, before = indent) {
-        std::size_t end = line.rfind(' ', width - before);
-        if (end == line.npos || end < std::max(kept, std::size_t{1})) end = line.find(' ', width - before);
-        if (end == line.npos) break;
-        result += line.substr(0, end);
-        result += '\n';
-        result.append(indent, ' ');
-        line.remove_prefix(std::min(line.find_first_not_of(' ', end), line.size()));
-    }
-    result += line;
-}
-
 }  // namespace
 
 std::string wrapped(std::string_view text, std::size_t width) {
+    // Of a line of two columns: the first, and the gap. A long name has the second one in the next line.
+    static const std::regex first_column(" {10,}| *[^ ]+( [^ ]+)* {2,}(?=[^ ])");
     std::string result;
-    for (std::size_t end = 0; !text.empty(); text.remove_prefix(end)) {
-        end = text.find('\n');
-        add_wrapped(result, text.substr(0, end), width);
-        if (end == text.npos) break;
-        result += '\n';
-        ++end;
+    std::istringstream lines{std::string(text)};
+    for (std::string line; std::getline(lines, line); result += line + '\n') {
+        std::smatch first;
+        const bool columns =
+            std::regex_search(line, first, first_column, std::regex_constants::match_continuous);
+        if (!columns && line.starts_with(' ')) continue;
+        const std::size_t column = columns ? static_cast<std::size_t>(first.length()) : 0;
+        const std::string margin(column > width / 2 ? 0 : column, ' ');
+        while (line.size() > width) {
+            std::size_t end = line.rfind(' ', width);
+            if (end == line.npos || end < std::max<std::size_t>(margin.size(), 1))
+                end = line.find(' ', width);
+            if (end == line.npos) break;
+            result += line.substr(0, end) + '\n';
+            line = margin + line.substr(std::min(line.find_first_not_of(' ', end), line.size()));
+        }
     }
+    if (!text.ends_with('\n') && !result.empty()) result.pop_back();
     return result;
 }
 
@@ -154,6 +142,37 @@ std::string WrappedHelp::make_help(const CLI::App* app, std::string name, CLI::A
 }
 
 namespace {
+
+// roff takes a backslash, a hyphen, and a point or quote that begins a line for something else.
+std::string roff(std::string_view text) {
+    std::string result;
+    for (const char c : text) {
+        if ((c == '.' || c == '\'') && (result.empty() || result.back() == '\n')) result += "\\&";
+        if (c == '\\' || c == '-') result += '\\';
+        result += c == '\\' ? 'e' : c;
+    }
+    return result;
+}
+
+// The help of a command and of all below it, line by line.
+void write_help(std::ostream& out, const CLI::App& command, const std::string& name) {
+    constexpr std::size_t kColumns = 72;  // beside the margin that pages have
+    const std::string help = CLI::Formatter().make_help(&command, name, CLI::AppFormatMode::Normal);
+    out << ".SS " << roff(name) << "\n.nf\n" << roff(wrapped(help, kColumns)) << ".fi\n";
+    for (const CLI::App* below : command.get_subcommands({}))
+        if (!below->get_group().empty()) write_help(out, *below, name + ' ' + below->get_name());
+}
+
+void write_manual(std::ostream& out, const CLI::App& program) {
+    const std::string name = program.get_name();
+    out << ".TH " << name << " 1 \"\" \"" << roff(program.version()) << "\" \"User Commands\"\n.SH NAME\n"
+        << roff(name) << " \\- " << roff(program.get_description()) << "\n.SH COMMANDS\n";
+    write_help(out, program, name);
+    out << ".SH EXIT STATUS\n"
+           ".TP\n0\nAll was done.\n"
+           ".TP\n1\nSomething could not be done, and a sentence on the standard error says what.\n"
+           ".TP\n2\nThe command line is wrong: nothing was begun.\n";
+}
 
 constexpr int kFailed = 1;
 constexpr int kUsage = 2;
@@ -197,7 +216,9 @@ int run_program(CLI::App& program, int argc, char** argv, const int& status,
                 const std::function<void()>& before) {
     program.formatter(std::make_shared<WrappedHelp>());
     const Command complete = add_complete_command(program);
-    add_manual_command(program);
+    program.add_subcommand("manual", "The manual page, for man")->group("")->callback([&program] {
+        write_manual(std::cout, program);
+    });
     std::optional<ToldWhenStopped> told;
     bool parsed = false;  // all that is wrong before is the command line
     program.parse_complete_callback([&] {

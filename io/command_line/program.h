@@ -29,16 +29,16 @@ class WrappedHelp : public CLI::Formatter {
 /// What holds a command's options: it has to live until all is parsed and done.
 using Command = std::shared_ptr<const void>;
 
-/// Two commands that help does not show and run_program() adds. `complete` says what may stand next on the
-/// command line: the shells' scripts in packaging/ ask it at each Tab, and so know no option themselves.
-/// `manual` writes the page for man(1), from what help is made of.
+/// Says what may stand next on the command line: the shells' scripts in packaging/ ask it at each Tab, and so
+/// know no option themselves.
 [[nodiscard]] Command add_complete_command(CLI::App& program);
-void add_manual_command(CLI::App& program);
 
-/// Parses the command line and runs its command, or the program's own callback without one. What is wrong is
-/// one sentence on the standard error, behind the program's name. Returns 0 if all was done (`status`, which
-/// the callbacks may set), 1 if something could not be, 2 if the command line is wrong. `before` is called
-/// once all is read, before anything is done; what it throws is a wrong command line.
+/// Parses the command line and runs its command, or the program's own callback without one. Two commands that
+/// help does not show are added: `complete`, and `manual`, which writes the page for man(1): the help of all
+/// others. What is wrong is one sentence on the standard error, behind the program's name. Returns 0 if all
+/// was done (`status`, which the callbacks may set), 1 if something could not be, 2 if the command line is
+/// wrong. `before` is called once all is read, before anything is done; what it throws is a wrong command
+/// line.
 int run_program(CLI::App& program, int argc, char** argv, const int& status,
                 const std::function<void()>& before = {});
 

@@ -3,15 +3,10 @@
 #include <fmt/format.h>
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <sys/stat.h>
-#include <sys/vfs.h>
 #include <unistd.h>
-#include <algorithm>
-#include <array>
 #include <cerrno>
 #include <chrono>
-#include <ctime>
 #include <map>
 #include <optional>
 #include <random>
@@ -26,118 +21,14 @@
 #include "io/descriptor.h"
 #include "io/signals.h"
 
-#if defined(DAPPLE_LINUX)
-#endif
-
 namespace dapple {
-
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kBegin = ".dapple-", kEnd = ".part";
-constexpr std::size_t kDigits = 8;
-constexpr std::time_t kDay = 24 * 60 * 60;
-
-bool is_name_of_part(std::string_view name) {
-    if (name.size() != kBegin.size() + kDigits + kEnd.size()) return false;
-    if (!name.starts_with(kBegin) || !name.ends_with(kEnd)) return false;
-    return name.substr(kBegin.size(), kDigits).find_first_not_of("0123456789abcdef") == name.npos;
+fs::path folder_of(const fs::path& file) {
+    return file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
-
-// Whether a file still has the name that it was opened by.
-bool has_name(const Descriptor& file, const fs::path& name) {
-    struct stat opened {
-    }, named{};
-    return ::fstat(file.get(), &opened) == 0 && ::lstat(name.c_str(), &named) == 0 &&
-           opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
-}
-
-// File systems that other machines write to as well: NFS, SMB in three ages, Ceph, AFS, Plan 9 and FUSE,
-// which sshfs and folders shared with virtual machines come by. The numbers are those of Linux's statfs(2);
-// elsewhere, any may be such.
-bool is_remote([[maybe_unused]] const Descriptor& file) {
-#if defined(DAPPLE_LINUX)
-    constexpr std::array<std::uint32_t, 8> kRemote{0x6969,     0x517b,     0xff534d42, 0xfe534d42,
-                                                   0x00c36400, 0x5346414f, 0x01021997, 0x65735546};
-    struct statfs system {};
-    if (::fstatfs(file.get(), &system) != 0) return true;
-    return std::ranges::count(kRemote, static_cast<std::uint32_t>(system.f_type)) > 0;
-#else
-    return true;
-#endif
-}
-
-// The time now where the folder is; none if nothing can be made there.
-std::optional<std::time_t> time_of_server(const fs::path& folder) {
-    struct stat made {};
-#if defined(O_TMPFILE)
-    const Descriptor file(::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600));
-    if (file && ::fstat(file.get(), &made) == 0) return made.st_mtime;
-        // Network file systems seldom have such files.
-#endif
-    try {
-        const PartFile part(folder / "any");
-        if (::fstat(part.descriptor(), &made) == 0) return made.st_mtime;
-    } catch (const std::runtime_error&) {
-    }
-    return std::nullopt;
-}
-
-bool is_abandoned(const Descriptor& file, const fs::path& folder) {
-    // No waiting: who holds the lock is at work.
-    if (::flock(file.get(), LOCK_EX | LOCK_NB) != 0) return false;
-    struct stat found {};
-    if (::fstat(file.get(), &found) != 0 || !S_ISREG(found.st_mode) || found.st_uid != ::geteuid())
-        return false;
-    if (!is_remote(file)) return true;
-    const std::optional<std::time_t> now = time_of_server(folder);
-    return now && *now - found.st_mtime > kDay;
-}
-
-}  // namespace
-
-PartFile::PartFile(const fs::path& target) {
-    std::random_device random;
-    for (;;) {
-        fs::path name = target;
-        name.replace_filename(fmt::format("{}{:0{}x}{}", kBegin, random(), kDigits, kEnd));
-        name_.emplace(name);
-        file_ = Descriptor(name_->make());
-        if (!file_) {
-            const int error = errno;
-            name_->keep();  // not ours
-            if (error == EEXIST) continue;
-            throw std::system_error(error, std::generic_category());
-        }
-        // Between the two, somebody who tidies up may have taken it for abandoned. File systems without locks
-        // fail here, and for who tidies up too.
-        const bool taken = ::flock(file_.get(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-        if (!taken && has_name(file_, name)) return;
-    }
-}
-
-int PartFile::rename_to(const fs::path& target) {
-    // Not closed before: without its lock, it would be taken for abandoned.
-    if (::rename(path(), target.c_str()) != 0) return errno;
-    name_->keep();
-    return 0;
-}
-
-void remove_abandoned_parts(const fs::path& folder) {
-    std::error_code error;
-    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-        const fs::path& path = entry->path();
-        if (!is_name_of_part(path.filename().native())) continue;
-        const Descriptor file(::open(path.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
-        // Who wrote it may have given it its name since, and let go of it.
-        if (file && is_abandoned(file, folder) && has_name(file, path)) ::unlink(path.c_str());
-    }
-}
-
-namespace {
-
-namespace fs = std::filesystem;
 
 std::string reason(int error) {
     switch (error) {
@@ -161,9 +52,70 @@ std::string reason(int error) {
     fail(target, fmt::format("cannot be written: {}", reason(error)));
 }
 
-fs::path folder_of(const fs::path& file) {
-    return file.has_parent_path() ? file.parent_path() : fs::path(".");
-}
+// A file that is being written beside the one that it is going to replace. Where the system has files without
+// a name (Linux, on its own file systems) it has none until it is whole, and nothing is left of it whatever
+// ends the program. Elsewhere its name is hidden, ".dapple-1a2b3c4d.part".
+class PartFile {
+ public:
+    explicit PartFile(const fs::path& target) : target_(target) {
+#if defined(O_TMPFILE)
+        file_ = Descriptor(::open(folder_of(target).c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0666));
+        // It gets its name by that of its descriptor.
+        if (file_ && ::access(name_of_descriptor().c_str(), F_OK) == 0) return;
+#endif
+        take_name([&](const char* name) {
+            file_ = Descriptor(::open(name, O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+            return static_cast<bool>(file_);
+        });
+    }
+    PartFile(const PartFile&) = delete;
+    PartFile& operator=(const PartFile&) = delete;
+    ~PartFile() {
+        if (!name_.empty()) ::unlink(name_.c_str());
+    }
+
+    int descriptor() const {
+        return file_.get();
+    }
+
+    /// Takes the place and the name of the target.
+    void finish() {
+        // A name is given only where there is none yet.
+        const auto link = [&](const char* name) {
+            return ::linkat(AT_FDCWD, name_of_descriptor().c_str(), AT_FDCWD, name, AT_SYMLINK_FOLLOW) == 0;
+        };
+        if (name_.empty()) {
+            if (link(target_.c_str())) return;
+            take_name(link);
+        }
+        if (::rename(name_.c_str(), target_.c_str()) != 0) fail_to_write(target_, errno);
+        name_.clear();
+    }
+
+ private:
+    std::string name_of_descriptor() const {
+        return fmt::format("/proc/self/fd/{}", file_.get());
+    }
+
+    // A new one, that make(name) gives it: false and errno if it cannot, or if there is such a file.
+    template <class Make>
+    void take_name(const Make& make) {
+        std::random_device random;
+        fs::path name = target_;
+        do {
+            name.replace_filename(fmt::format(".dapple-{:08x}.part", random()));
+            if (make(name.c_str())) {
+                name_ = name;
+                return;
+            }
+        } while (errno == EEXIST);
+        fail_to_write(target_, errno);
+    }
+
+    const fs::path& target_;
+    Descriptor file_;
+    fs::path name_;  // empty: none
+};
 
 // A file descriptor as a stream. Exceptions leave it through the stream, which has them switched on.
 class DescriptorBuffer : public std::streambuf {
@@ -252,20 +204,10 @@ void write_directly(const fs::path& target, const std::function<void(std::ostrea
     if (file.close() != 0) fail_to_write(target, errno);
 }
 
-PartFile part_beside(const fs::path& target) {
-    try {
-        return PartFile(target);
-    } catch (const std::system_error& error) {
-        fail_to_write(target, error.code().value());
-    }
-}
-
 void write_beside(const fs::path& target, const std::function<void(std::ostream&)>& write) {
     struct stat old {};
     const bool replaces = ::stat(target.c_str(), &old) == 0;
-
-    remove_abandoned_parts(folder_of(target));
-    PartFile part = part_beside(target);
+    PartFile part(target);
     if (replaces) {
         // It stays its owner's where that may be. What runs with its owner's rights would run with the
         // writer's.
@@ -276,7 +218,7 @@ void write_beside(const fs::path& target, const std::function<void(std::ostream&
 
     write_through(part.descriptor(), target, GoingBack::possible, write);
     if (::fsync(part.descriptor()) != 0) fail_to_write(target, errno);
-    if (const int error = part.rename_to(target)) fail_to_write(target, error);
+    part.finish();
 
     // The new name is safe only once the folder is on disk too; some file systems cannot do it, and need not.
     const Descriptor folder(::open(folder_of(target).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));

@@ -3,9 +3,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <csignal>
-#include <deque>
 #include <functional>
 #include <string>
 #include <thread>
@@ -152,37 +150,4 @@ TEST_CASE("a time limit stops too, and is no signal") {
     const StopOnInterrupt stop(std::chrono::duration<double>(0.01));
     CHECK(stops(stop));
     CHECK_FALSE(StopOnInterrupt::interrupted());
-}
-
-TEST_CASE(
-    "as many drawings may be under way as are drawn at a time, each with a file that is removed on a "
-    "signal") {
-    const TemporaryFolder folder;
-    CHECK(status_of([&] {
-              std::deque<RemovedOnSignal> files;
-              for (int i = 0; i < 300; ++i) {
-                  files.emplace_back(folder / std::to_string(i));
-                  put_text(files.back().path(), "half");
-              }
-              raise(SIGTERM);
-          }) == 128 + SIGTERM);
-    CHECK(folder.entries() == 0);
-}
-
-TEST_CASE("a file that another thread begins just as a signal ends the program is not left behind") {
-    const TemporaryFolder folder;
-    for (int round = 0; round < 20; ++round) {
-        CHECK(status_of([&] {
-                  std::atomic<int> made{0};
-                  std::deque<std::jthread> threads;
-                  for (int i = 0; i < 4; ++i) {
-                      threads.emplace_back([&] {
-                          for (;; ++made) const PartFile part(folder / "a.txt");
-                      });
-                  }
-                  while (made < 100) std::this_thread::yield();
-                  raise(SIGTERM);
-              }) == 128 + SIGTERM);
-        REQUIRE(folder.entries() == 0);
-    }
 }

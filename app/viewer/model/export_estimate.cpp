@@ -132,26 +132,6 @@ void add_time(PlottingTime& sum, const PlottingTime& time, double times, double 
 
 }  // namespace
 
-DotPieces dots_on_patches(const PlacedDrawing& drawing, double dpi) {
-    const PixelPatches patches(drawing.layout.page, dpi);
-    DotPieces some;
-    for (const DotBlock& block : drawing.blocks) {
-        if (!patches.meet(block.low, block.high)) continue;
-        const Dots& piece = drawing.dots.pieces[block.piece];
-        Dots& own = some.pieces.emplace_back();
-        own.pen = piece.pen;
-        const auto take = [&](FloatBuffer& to, const FloatBuffer& from) {
-            if (from.size() != piece.size()) return;
-            const auto begin = from.begin() + static_cast<std::ptrdiff_t>(block.first);
-            to.insert(to.end(), begin, begin + static_cast<std::ptrdiff_t>(block.count));
-        };
-        take(own.x, piece.x);
-        take(own.y, piece.y);
-        take(own.radius, piece.radius);
-    }
-    return some;
-}
-
 PlottingEstimate estimated_plotting(const DrawingSettings& settings, const DrawingToSave& drawing,
                                     DrawingFormat format, DotOrder order, const MachineProgram& program) {
     PlottingEstimate estimate;
@@ -255,13 +235,6 @@ ExportInfo ExportEstimate::info(const Pane& pane, const ViewerSettings& settings
     if (drawn.measured && !drawing.pens.empty()) drawn.pens = pens_of(drawing, page);
     info_.findings = findings_of(drawn);
     try {
-        DotPieces some;
-        const bool in_blocks =
-            has_pixels(format) && !region && !drawing.blocks.empty() && drawing.strokes.lines.empty();
-        if (in_blocks) {
-            some = dots_on_patches(drawing, settings.saving.dpi);
-            estimated.dots = stream_of(some, stippling.scale);
-        }
         info_.bytes = estimated_bytes(format, settings.drawing, estimated);
     } catch (const std::exception& error) {
         info_.trouble = error.what();

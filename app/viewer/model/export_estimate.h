@@ -23,9 +23,6 @@ struct PlottingEstimate {
     double way_before_m = 0;  // and along the Hilbert curve, before it is shortened
 };
 
-/// The blocks of a placed drawing's dots that an estimate of its pixels looks at: few of many.
-DotPieces dots_on_patches(const PlacedDrawing& drawing, double dpi);
-
 /// About how long a machine would plot such a file in that order. Some of the dots are put in order, and the
 /// rest is taken to be like them: dots that are near each other, as they follow in the stream; by priority,
 /// dots that lie anywhere.
@@ -35,8 +32,8 @@ PlottingEstimate estimated_plotting(const DrawingSettings& settings, const Drawi
 /// What saving would write.
 struct ExportInfo {
     std::uint64_t dots = 0;
-    std::optional<double> bytes = {};         // about; none if it cannot be written
-    std::string trouble = {};                 // why not
+    std::optional<double> bytes = {};         // about; none if it is not known
+    std::string trouble = {};                 // why it cannot be written; empty: it can
     PlottingTime plotting = {};               // about, of the machine chosen
     double way_m = 0;                         // of the pen, about,
     std::optional<double> way_before_m = {};  // and before it is shortened, if it is

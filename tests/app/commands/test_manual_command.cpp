@@ -19,8 +19,7 @@ TEST_CASE("the manual page names every command and option that help does") {
     for (const std::string& command : commands) {
         CAPTURE(command);
         // From the title of its part to the next.
-        const std::size_t begin =
-            page.find(command.empty() ? ".SH OPTIONS\n" : ".SS dapple " + command + "\n");
+        const std::size_t begin = page.find(".SS dapple" + (command.empty() ? "" : ' ' + command) + "\n");
         REQUIRE(begin != page.npos);
         const std::string part = page.substr(begin, page.find("\n.S", begin + 1) - begin);
         const std::string help = run_dapple(command + " --help").out;
@@ -29,7 +28,7 @@ TEST_CASE("the manual page names every command and option that help does") {
         for (std::sregex_iterator each(help.begin(), help.end(), line_of_option), end; each != end; ++each) {
             const std::string option = (*each)[3];
             CAPTURE(option);
-            if (option != "--help") CHECK(part.find("\\fB" + option + "\\fR") != part.npos);
+            CHECK(part.find(option) != part.npos);
             ++options;
         }
     }

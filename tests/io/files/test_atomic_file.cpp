@@ -6,12 +6,21 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#if defined(DAPPLE_LINUX)
+#include <linux/filter.h>
+#include <linux/seccomp.h>
+#include <sys/prctl.h>
+#include <sys/syscall.h>
+#endif
+
 #include <csignal>
+#include <cstddef>
 #include <functional>
 #include <ostream>
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "io/files/atomic_file.h"
 #include "tests/file_text.h"
@@ -100,8 +109,7 @@ TEST_CASE("a full disk is said in words, the old file stays, and there is no lit
 }
 
 TEST_CASE("a signal that ends the program leaves the old file and no litter") {
-    for (const int signal :
-         {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGUSR1, SIGUSR2, SIGALRM, SIGVTALRM, SIGXCPU}) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGUSR1, SIGALRM, SIGXCPU, SIGKILL}) {
         CAPTURE(signal);
         const TemporaryFolder folder;
         put_text(folder / "a.txt", "old");
@@ -121,6 +129,54 @@ TEST_CASE("a signal that ends the program leaves the old file and no litter") {
         CHECK(text_of(folder / "a.txt") == "old");
         CHECK(folder.entries() == 1);
     }
+}
+
+#if defined(DAPPLE_LINUX)
+TEST_CASE("where a file needs a name from the beginning it has one of its own, which does not stay") {
+    const TemporaryFolder folder;
+    put_text(folder / "a.txt", "old");
+    const pid_t child = fork();
+    if (child == 0) {
+        // Nothing opens with O_TMPFILE any more, as on file systems that have none.
+        sock_filter steps[] = {BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
+                               BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_openat, 0, 3),
+                               BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, args[2])),
+                               BPF_JUMP(BPF_JMP | BPF_JSET | BPF_K, O_TMPFILE & ~O_DIRECTORY, 0, 1),
+                               BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | EOPNOTSUPP),
+                               BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW)};
+        const sock_fprog program{std::size(steps), steps};
+        prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
+        if (prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) != 0) _exit(1);
+        std::size_t meanwhile = 0;
+        save_atomically(folder / "a.txt", [&](std::ostream& out) {
+            write_new(out);
+            meanwhile = folder.entries();
+        });
+        save_atomically(folder / "b.txt", write_new);
+        const std::string said =
+            sentence_of(folder / "a.txt", [](std::ostream&) { throw std::runtime_error("my own trouble"); });
+        _exit(meanwhile == 2 && said == "my own trouble" ? 0 : 2);
+    }
+    int status = 0;
+    REQUIRE(waitpid(child, &status, 0) == child);
+    CHECK(status == 0);
+    CHECK(text_of(folder / "a.txt") == "new");
+    CHECK(text_of(folder / "b.txt") == "new");
+    CHECK(folder.entries() == 2);
+}
+#endif
+
+TEST_CASE("many savers beside each other lose none of their files") {
+    const TemporaryFolder folder;
+    std::vector<std::jthread> savers;
+    for (int s = 0; s < 4; ++s)
+        savers.emplace_back([&folder, s] {
+            for (int i = 0; i < 50; ++i)
+                save_atomically(folder / (std::to_string(s % 2) + ".txt"), write_much);
+        });
+    savers.clear();
+    for (int s = 0; s < 2; ++s) CHECK(fs::file_size(folder / (std::to_string(s) + ".txt")) == 2000 * 1001);
+    CHECK(folder.entries() == 2);
 }
 
 TEST_CASE("targets that cannot be are refused before anything is written") {
