@@ -205,8 +205,7 @@ void check_holds(const DrawingPlan& plan, const DrawingFile& file, const PageSiz
                  const RenderOptions& options) {
     constexpr double kSorted = 100, kJoined = 220, kOfPens = 500;  // bytes a dot, measured
     const DrawingSettings& settings = file.settings;
-    double dots = plan.placing.count ? static_cast<double>(*plan.placing.count)
-                                     : kDotsPerScale * plan.placing.scale * plan.density->mean();
+    double dots = plan.dots();
     const bool joined = settings.style != DrawingStyle::dots;
     if (plan.pens.empty() && !joined)
         dots *= part.width_mm * part.height_mm / (plan.page.width_mm * plan.page.height_mm);

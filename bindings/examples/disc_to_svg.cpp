@@ -1,5 +1,5 @@
 // A picture in memory, a shaded disc, as 40,000 dots in an SVG: disc_to_svg disc.svg
-#include <dapple/drawing.h>
+#include <dapple/core/drawing/stippler.h>
 
 #include <cmath>
 #include <cstdint>
@@ -21,10 +21,11 @@ int main(int argc, char** argv) try {
     }
     dapple::Stippler stippler;
     stippler.set_picture(dapple::picture_of_srgb(pixels, kSide, kSide, 1));
-    const dapple::Settings settings(R"({"drawing": {"page": {"width_mm": 150}}})");
+    dapple::Settings settings;
+    settings.drawing.page.width_mm = 150;
     const auto drawing = stippler.draw(settings);
     std::ofstream file(argv[1]);
-    drawing->write(file, dapple::FileFormat::svg);
+    drawing->write(file, dapple::DrawingFormat::svg);
     if (!file.flush()) return std::fprintf(stderr, "%s: cannot be written\n", argv[1]), 1;
 } catch (const std::exception& error) {
     return std::fprintf(stderr, "%s\n", error.what()), 1;

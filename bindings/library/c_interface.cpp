@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
@@ -14,8 +15,9 @@
 #include <string>
 #include <utility>
 
+#include "core/drawing/stippler.h"
+#include "core/settings/settings_json.h"
 #include "dapple/dapple.h"
-#include "dapple/drawing.h"
 
 struct dapple_stippler {
     dapple::Stippler stippler;
@@ -78,15 +80,19 @@ char* copied_text(const std::string& text) {
     return copied(text.c_str(), text.size() + 1);
 }
 
-dapple::FileFormat format_named(const char* name) {
-    return dapple::file_format(given(name, "the format"));
+dapple::Grid<float> grid_of(const float* values, const char* what, int width, int height) {
+    const std::size_t count = product(width, height);
+    given(values, what);
+    dapple::Grid<float> grid(width, height);
+    std::copy_n(values, count, grid.values.begin());
+    return grid;
 }
 
 int set_density(dapple_stippler* stippler, const float* values, int width, int height,
-                dapple::Interpolation interpolation) {
+                dapple::Reading reading) {
     return guarded(-1, [&] {
-        const std::span density(given(values, "values"), product(width, height));
-        given(stippler, "the stippler")->stippler.set_density(density, width, height, interpolation);
+        dapple::Grid<float> density = grid_of(values, "values", width, height);
+        given(stippler, "the stippler")->stippler.set_density(std::move(density), reading);
         return 0;
     });
 }
@@ -122,20 +128,22 @@ int dapple_set_picture(dapple_stippler* stippler, const unsigned char* pixels, i
 int dapple_set_light(dapple_stippler* stippler, const float* light, const float* colours, int width,
                      int height) {
     return guarded(-1, [&] {
-        const std::size_t pixels = product(width, height);
-        dapple::LightPicture picture{width, height, {given(light, "light"), light + pixels}, {}};
-        if (colours) picture.colours.assign(colours, colours + 3 * pixels);
-        given(stippler, "the stippler")->stippler.set_picture(picture);
+        dapple::LightPicture picture{grid_of(light, "light", width, height)};
+        if (colours) {
+            const std::span all(colours, 3 * picture.light.values.size());
+            picture.colours = dapple::picture_of_light(all, width, height, 3).colours;
+        }
+        given(stippler, "the stippler")->stippler.set_picture(std::move(picture));
         return 0;
     });
 }
 
 int dapple_set_density(dapple_stippler* stippler, const float* values, int width, int height) {
-    return set_density(stippler, values, width, height, dapple::Interpolation::nearest);
+    return set_density(stippler, values, width, height, dapple::Reading::by_cell);
 }
 
 int dapple_set_linear_density(dapple_stippler* stippler, const float* values, int width, int height) {
-    return set_density(stippler, values, width, height, dapple::Interpolation::linear);
+    return set_density(stippler, values, width, height, dapple::Reading::bilinear);
 }
 
 int dapple_set_tile(dapple_stippler* stippler, const char* text) {
@@ -156,7 +164,7 @@ dapple_drawing* dapple_draw(dapple_stippler* stippler, const char* settings, dap
             };
         std::optional<dapple::Drawing> drawing =
             given(stippler, "the stippler")
-                ->stippler.draw(settings ? dapple::Settings(settings) : dapple::Settings(), watch);
+                ->stippler.draw(dapple::settings_of(settings ? settings : "{}"), watch);
         if (!drawing) throw std::runtime_error("stopped");
         return new dapple_drawing{*std::move(drawing)};
     });
@@ -167,30 +175,28 @@ void dapple_drawing_free(dapple_drawing* drawing) {
 }
 
 char* dapple_usual_settings(void) {
-    return guarded<char*>(nullptr, [] { return copied_text(dapple::Settings().text()); });
+    return guarded<char*>(nullptr, [] { return copied_text(dapple::json_of({})); });
 }
 
 size_t dapple_drawing_count(const dapple_drawing* drawing) {
-    return drawing ? static_cast<size_t>(drawing->drawing.count()) : 0;
+    return drawing ? static_cast<size_t>(drawing->drawing.count) : 0;
 }
 
 void dapple_drawing_page_mm(const dapple_drawing* drawing, double* width, double* height) {
-    if (width) *width = drawing ? drawing->drawing.page_width_mm() : 0;
-    if (height) *height = drawing ? drawing->drawing.page_height_mm() : 0;
+    const dapple::PageSize page = drawing ? drawing->drawing.page.whole.size : dapple::PageSize();
+    if (width) *width = page.width_mm;
+    if (height) *height = page.height_mm;
 }
 
 int dapple_drawing_dots(const dapple_drawing* drawing, float* x, float* y, float* radius, int* pen) {
     return guarded(-1, [&] {
         std::size_t at = 0;
-        const auto fill = [&](float* to, std::span<const float> from) {
-            if (to && !from.empty()) std::memcpy(to + at, from.data(), from.size_bytes());
-        };
-        given(drawing, "the drawing")->drawing.for_each([&](const dapple::DotSpan& dots) {
-            fill(x, dots.x);
-            fill(y, dots.y);
-            fill(radius, dots.radius);
-            for (std::size_t i = 0; pen && i < dots.x.size(); ++i) pen[at + i] = dots.pen;
-            at += dots.x.size();
+        given(drawing, "the drawing")->drawing.for_each_piece([&](const dapple::Dots& dots) {
+            if (x) std::ranges::copy(dots.x, x + at);
+            if (y) std::ranges::copy(dots.y, y + at);
+            if (radius) std::ranges::copy(dots.radius, radius + at);
+            if (pen) std::fill_n(pen + at, dots.size(), dots.pen);
+            at += dots.size();
             return true;
         });
         return 0;
@@ -200,7 +206,7 @@ int dapple_drawing_dots(const dapple_drawing* drawing, float* x, float* y, float
 char* dapple_drawing_text(const dapple_drawing* drawing, const char* format, size_t* size) {
     return guarded<char*>(nullptr, [&] {
         std::ostringstream out;
-        given(drawing, "the drawing")->drawing.write(out, format_named(format));
+        given(drawing, "the drawing")->drawing.write(out, dapple::text_format(given(format, "the format")));
         const std::string text = std::move(out).str();
         if (size) *size = text.size();
         return copied_text(text);
@@ -209,9 +215,9 @@ char* dapple_drawing_text(const dapple_drawing* drawing, const char* format, siz
 
 unsigned char* dapple_drawing_pixels(const dapple_drawing* drawing, double dpi, int* width, int* height) {
     return guarded<unsigned char*>(nullptr, [&] {
-        const dapple::PagePixels pixels = given(drawing, "the drawing")->drawing.pixels(dpi);
+        const dapple::Grid<glm::u8vec3> pixels = given(drawing, "the drawing")->drawing.pixels(dpi);
         if (width) *width = pixels.width;
         if (height) *height = pixels.height;
-        return copied(pixels.rgb.data(), pixels.rgb.size());
+        return reinterpret_cast<unsigned char*>(copied(pixels.values.data(), pixels.values.size()));
     });
 }

@@ -1,11 +1,7 @@
-// The module's part in C++: what bindings/include/dapple/ has, with numpy's arrays for its spans. Arrays come
-// here contiguous and of the type that is named; dapple/__init__.py takes what people have, and is the
-// manual.
+// The module's part in C++: core's public headers, with numpy's arrays for grids and columns, and settings
+// and reports as JSON. Arrays come here contiguous and of the type that is named; dapple/__init__.py takes
+// what people have, and is the manual.
 
-#include <dapple/analysis.h>
-#include <dapple/drawing.h>
-#include <dapple/lights.h>
-#include <dapple/tile.h>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
@@ -14,6 +10,8 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <future>
@@ -22,6 +20,13 @@
 #include <stdexcept>
 #include <system_error>
 #include <utility>
+
+#include "core/analysis/report.h"
+#include "core/drawing/stippler.h"
+#include "core/lights/direction.h"
+#include "core/lights/light_samples.h"
+#include "core/settings/settings_json.h"
+#include "core/tile/tile_file.h"
 
 namespace py = pybind11;
 using namespace py::literals;
@@ -35,6 +40,14 @@ using Array = py::array_t<Value, py::array::c_style>;
 template <class Value>
 std::span<const Value> span_of(const Array<Value>& array) {
     return {array.data(), static_cast<std::size_t>(array.size())};
+}
+
+/// Of a two-dimensional array, or of one whose third axis is a texel.
+template <class Element, class Value>
+Grid<Element> grid_of(const Array<Value>& array) {
+    Grid<Element> grid(static_cast<int>(array.shape(1)), static_cast<int>(array.shape(0)));
+    std::memcpy(grid.values.data(), array.data(), static_cast<std::size_t>(array.nbytes()));
+    return grid;
 }
 
 template <class Value>
@@ -91,17 +104,15 @@ template <class Value>
 auto set_picture(LightPicture (*picture_of)(std::span<const Value>, int, int, int)) {
     return [picture_of](SharedStippler& shared, const Array<Value>& pixels) {
         const py::gil_scoped_release free;
-        const LightPicture picture =
-            picture_of(span_of(pixels), side(pixels, 1), side(pixels, 0), side(pixels, 2));
-        shared.use([&](Stippler& stippler) { stippler.set_picture(picture); });
+        LightPicture picture = picture_of(span_of(pixels), side(pixels, 1), side(pixels, 0), side(pixels, 2));
+        shared.use([&](Stippler& stippler) { stippler.set_picture(std::move(picture)); });
     };
 }
 
 void set_density(SharedStippler& shared, const Array<float>& values, bool linear) {
     const py::gil_scoped_release free;
     shared.use([&](Stippler& stippler) {
-        stippler.set_density(span_of(values), side(values, 1), side(values, 0),
-                             linear ? Interpolation::linear : Interpolation::nearest);
+        stippler.set_density(grid_of<float>(values), linear ? Reading::bilinear : Reading::by_cell);
     });
 }
 
@@ -110,52 +121,43 @@ void set_tile(SharedStippler& shared, const std::string& text) {
     shared.use([&](Stippler& stippler) { stippler.set_tile(text); });
 }
 
-py::list list_of(const std::vector<DrawingPen>& pens) {
-    py::list list;
-    for (const DrawingPen& pen : pens)
-        list.append(py::make_tuple(pen.name, py::make_tuple(pen.red, pen.green, pen.blue)));
-    return list;
-}
-
-py::dict plan(SharedStippler& shared, const Settings& settings) {
-    const Plan plan = interruptibly([&](const std::stop_token&) {
-        return shared.use([&](Stippler& stippler) { return stippler.plan(settings); });
+std::string plan(SharedStippler& shared, const std::string& json) {
+    return interruptibly([&](const std::stop_token&) {
+        const DrawingSettings settings = settings_of(json).drawing;
+        const DrawingPlan plan = shared.use([&](Stippler& stippler) { return stippler.plan(settings); });
+        return report_json(plan, settings);
     });
-    return py::dict("dots"_a = plan.dots, "lowered"_a = plan.lowered, "steps"_a = plan.steps,
-                    "page_mm"_a = py::make_tuple(plan.page_width_mm, plan.page_height_mm),
-                    "radius_mm"_a = plan.radius_mm, "pens"_a = list_of(plan.pens),
-                    "exposure"_a = plan.exposure, "black_point"_a = plan.black_point,
-                    "white_point"_a = plan.white_point, "contrast"_a = plan.contrast,
-                    "brightness"_a = plan.brightness, "gamma"_a = plan.gamma, "black"_a = plan.black);
 }
 
-Drawing draw(SharedStippler& shared, const Settings& settings) {
+Drawing draw(SharedStippler& shared, const std::string& json) {
     // Without a drawing it was stopped, and has not come here.
     return interruptibly([&](const std::stop_token& stop) {
+               const Settings settings = settings_of(json);
                return shared.use([&](Stippler& stippler) { return stippler.draw(settings, {stop, {}}); });
            })
         .value();
 }
 
 py::tuple arrays(const Drawing& drawing) {
-    const auto count = static_cast<py::ssize_t>(drawing.count());
+    const auto count = static_cast<py::ssize_t>(drawing.count);
     py::array_t<float> x(count), y(count), radius(count);
     py::array_t<int> pen(count);
     float *to_x = x.mutable_data(), *to_y = y.mutable_data(), *to_radius = radius.mutable_data();
     int* to_pen = pen.mutable_data();
     interruptibly([&](const std::stop_token& stop) {
-        return drawing.for_each([&](const DotSpan& dots) {
+        return drawing.for_each_piece([&](const Dots& dots) {
             to_x = std::ranges::copy(dots.x, to_x).out;
             to_y = std::ranges::copy(dots.y, to_y).out;
             to_radius = std::ranges::copy(dots.radius, to_radius).out;
-            to_pen = std::fill_n(to_pen, dots.x.size(), dots.pen);
+            to_pen = std::fill_n(to_pen, dots.size(), dots.pen);
             return !stop.stop_requested();
         });
     });
     return py::make_tuple(x, y, radius, pen);
 }
 
-void save(const Drawing& drawing, const std::filesystem::path& path, FileFormat format) {
+void save(const Drawing& drawing, const std::filesystem::path& path, const std::string& name) {
+    const DrawingFormat format = text_format(name);
     interruptibly([&](const std::stop_token& stop) {
         errno = 0;
         std::ofstream out(path, std::ios::binary);
@@ -166,50 +168,63 @@ void save(const Drawing& drawing, const std::filesystem::path& path, FileFormat 
     });
 }
 
-py::list advice(const Drawing& drawing, const std::string& format) {
-    const std::vector<Advice> found = interruptibly([&](const std::stop_token& stop) {
-        return drawing.advice(file_format(format), {stop, {}});
+std::string findings(const Drawing& drawing, const std::string& format) {
+    return interruptibly([&](const std::stop_token& stop) {
+        return report_json(drawing.findings(text_format(format), {stop, {}}));
     });
-    py::list list;
-    for (const Advice& each : found) list.append(py::make_tuple(each.kind, each.text, each.amount));
-    return list;
 }
 
 py::array pixels(const Drawing& drawing, double dpi) {
-    PagePixels page = interruptibly([&](const std::stop_token&) { return drawing.pixels(dpi); });
-    return array_of(std::move(page.rgb), {page.height, page.width, 3});
+    const Grid<glm::u8vec3> page = interruptibly([&](const std::stop_token&) { return drawing.pixels(dpi); });
+    py::array_t<std::uint8_t> pixels({page.height, page.width, 3});
+    std::memcpy(pixels.mutable_data(), page.values.data(), static_cast<std::size_t>(pixels.nbytes()));
+    return pixels;
 }
 
+/// As numpy has its fields.
+struct LightField {
+    double direction[3], u, v, weight[3], pdf;
+};
+
 py::array lights(const Array<float>& radiance, std::uint64_t count, std::uint64_t seed, int threads) {
-    std::vector<SampledLight> all = interruptibly([&](const std::stop_token&) {
-        return sample_lights(span_of(radiance), side(radiance, 1), side(radiance, 0),
-                             {.count = count, .seed = seed, .threads = threads});
+    std::vector<LightField> all = interruptibly([&](const std::stop_token&) {
+        RankedTile tile = ranked_tile(tile_by_name(kDefaultTile));
+        const LightSamples found = light_samples(EnvironmentMap(grid_of<glm::vec3>(radiance)), tile,
+                                                 {.count = count, .seed = seed, .threads = threads});
+        std::vector<LightField> fields;
+        for (const auto& [uv, weight, ignored, pdf] : found.samples) {
+            const glm::dvec3 to = direction_of(uv, SphereConvention::openexr);
+            fields.push_back({{to.x, to.y, to.z}, uv.x, uv.y, {weight.r, weight.g, weight.b}, pdf});
+        }
+        return fields;
     });
     const auto size = static_cast<py::ssize_t>(all.size());
     return array_of(std::move(all), {size});
 }
 
-py::dict evenness(const Array<double>& x, const Array<double>& y, double width, double height,
-                  bool periodic) {
-    const PointEvenness found = interruptibly([&](const std::stop_token&) {
-        return evenness_of(span_of(x), span_of(y), width, height,
-                           periodic ? PointEdges::meet : PointEdges::unknown);
+py::dict evenness(const Array<double>& points, double width, double height, bool periodic) {
+    const PointReport found = interruptibly([&](const std::stop_token&) {
+        const auto* const first = reinterpret_cast<const glm::dvec2*>(points.data());
+        const Domain domain{width, height, periodic ? Topology::torus : Topology::window};
+        return *analyse({first, static_cast<std::size_t>(points.shape(0))}, domain);
     });
-    return py::dict("count"_a = found.count, "nearest_minimum"_a = found.nearest_minimum,
-                    "nearest_first_percentile"_a = found.nearest_first_percentile,
-                    "nearest_mean"_a = found.nearest_mean, "power_below_03"_a = found.power_below_03,
-                    "power_below_05"_a = found.power_below_05, "highest_bin"_a = found.highest_bin,
-                    "star_discrepancy"_a = found.star_discrepancy,
+    return py::dict("count"_a = found.count, "nearest_minimum"_a = found.nearest.minimum,
+                    "nearest_first_percentile"_a = found.nearest.p1, "nearest_mean"_a = found.nearest.mean,
+                    "power_below_03"_a = found.power_below_03, "power_below_05"_a = found.power_below_05,
+                    "highest_bin"_a = found.peaks.highest_bin,
+                    "star_discrepancy"_a = found.star_discrepancy.upper,
                     "l2_star_discrepancy"_a = found.l2_star_discrepancy);
 }
 
 py::array points_of_tile(const std::string& text) {
-    const TilePoints points = tile_points(text);
+    const Tile tile = read_tile(text).tile;
     std::vector<double> xy;
-    xy.reserve(2 * points.x.size());
-    for (std::size_t i = 0; i < points.x.size(); ++i) xy.insert(xy.end(), {points.x[i], points.y[i]});
-    const auto kinds = static_cast<py::ssize_t>(points.kinds);
-    return array_of(std::move(xy), {kinds, static_cast<py::ssize_t>(points.x.size()) / kinds, 2});
+    for (const BinaryPoint& point : tile.points) {
+        const glm::dvec2 place = to_unit_square(point);
+        xy.insert(xy.end(), {place.x, place.y});
+    }
+    return array_of(std::move(xy),
+                    {static_cast<py::ssize_t>(tile.kinds()), static_cast<py::ssize_t>(tile.size()), 2});
 }
 
 /// What the library throws is about what it was given.
@@ -233,13 +248,13 @@ void translate(std::exception_ptr thrown) {
 PYBIND11_MODULE(_dapple, m) {
     m.attr("version") = DAPPLE_VERSION;
     py::register_local_exception_translator(translate);
-    PYBIND11_NUMPY_DTYPE(SampledLight, direction, u, v, weight, pdf);
+    PYBIND11_NUMPY_DTYPE(LightField, direction, u, v, weight, pdf);
 
-    py::class_<Settings>(m, "Settings")
-        .def(py::init<>())
-        .def("set", &Settings::set)
-        .def("text", &Settings::text)
-        .def("changed", &Settings::changed);
+    m.def("settings", [](const std::string& json, const std::string& changes) {
+        Settings settings = settings_of(json);
+        read_json(changes, settings);
+        return py::make_tuple(json_of(settings), settings.embedded);
+    });
 
     py::class_<SharedStippler>(m, "Stippler")
         .def(py::init<int>())
@@ -252,24 +267,19 @@ PYBIND11_MODULE(_dapple, m) {
         .def("plan", plan)
         .def("draw", draw);
 
-    py::enum_<FileFormat>(m, "FileFormat");
-    m.def("file_format", file_format);
-
     py::class_<Drawing>(m, "Drawing")
-        .def("count", &Drawing::count)
-        .def("page_mm",
-             [](const Drawing& drawing) {
-                 return py::make_tuple(drawing.page_width_mm(), drawing.page_height_mm());
-             })
-        .def("pens", [](const Drawing& drawing) { return list_of(drawing.pens()); })
+        .def("report", [](const Drawing& drawing) { return report_json(drawing); })
         .def("arrays", arrays)
         .def("save", save)
-        .def("advice", advice)
+        .def("findings", findings)
         .def("pixels", pixels);
 
     m.def("lights", lights, py::arg("radiance").noconvert(), "count"_a, "seed"_a, "threads"_a);
     m.def("evenness", evenness);
-    m.def("tile_names", tile_names);
-    m.def("tile_text", tile_text);
+    m.def("tile_names", [] {
+        const auto names = built_in_tile_names();
+        return std::vector<std::string>(names.begin(), names.end());
+    });
+    m.def("tile_text", [](const std::string& name) { return write_tile(tile_by_name(name)); });
     m.def("tile_points", points_of_tile);
 }

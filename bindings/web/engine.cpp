@@ -14,9 +14,11 @@
 #include <string>
 #include <vector>
 
-#include "dapple/analysis.h"
-#include "dapple/drawing.h"
-#include "dapple/tile.h"
+#include "core/analysis/autocorrelation.h"
+#include "core/analysis/spectrum.h"
+#include "core/drawing/stippler.h"
+#include "core/settings/settings_json.h"
+#include "core/tile/tile_file.h"
 
 namespace {
 
@@ -27,7 +29,7 @@ dapple::Stippler stippler;
 std::optional<dapple::Drawing> drawing;
 std::string error, text;
 std::vector<float> dots, tiles;
-dapple::PagePixels pixels;
+dapple::Grid<glm::u8vec3> pixels;
 
 // What a page shows without keeping somebody waiting, and its memory holds.
 constexpr std::uint64_t kMostDots = 2'000'000;
@@ -45,14 +47,10 @@ void check_count(std::uint64_t count) {
 }
 
 // Throws std::runtime_error if the drawing needs a tile that is left out, or has too many dots.
-void check(const dapple::Settings& settings) {
-    const Json drawing = Json::parse(settings.text()).at("drawing");
-    if (drawing["count"].is_number() && drawing["dot_size"]["sizing"] != "by_tone")
-        check_count(drawing["count"]);
-    std::string tile = drawing.at("tile");
-    // The usual tile's points have one ranking; for others, this one takes its place.
-    const bool is_ranked = drawing["ranking"].is_string() && drawing["ranking"] != "energy";
-    if (tile == "kinds4096" && drawing["placer"] == "exact" && is_ranked) tile = "aperiodic4096";
+void check(const dapple::DrawingSettings& drawing) {
+    if (drawing.placing.count && drawing.dot_size.sizing != dapple::DotSizing::by_tone)
+        check_count(*drawing.placing.count);
+    const std::string tile = dapple::tile_in_use(drawing);
     if (is_left_out(tile))
         throw std::runtime_error(
             "this page leaves out the tile " + tile +
@@ -75,13 +73,6 @@ const char* kept(std::string said) {
     return text.c_str();
 }
 
-Json pens_of(const std::vector<dapple::DrawingPen>& pens) {
-    Json list = Json::array();
-    for (const dapple::DrawingPen& pen : pens)
-        list.push_back({{"name", pen.name}, {"colour", {pen.red, pen.green, pen.blue}}});
-    return list;
-}
-
 const dapple::Drawing& drawn() {
     if (!drawing) throw std::runtime_error("there is no drawing");
     return *drawing;
@@ -90,10 +81,10 @@ const dapple::Drawing& drawn() {
 // Four values a dot: x, y and radius in millimetres, and the pen.
 void collect_dots() {
     dots.clear();
-    dots.reserve(4 * drawing->count());
-    drawing->for_each([](const dapple::DotSpan& span) {
-        for (std::size_t i = 0; i < span.x.size(); ++i)
-            dots.insert(dots.end(), {span.x[i], span.y[i], span.radius[i], static_cast<float>(span.pen)});
+    dots.reserve(4 * drawing->count);
+    drawing->for_each_piece([](const dapple::Dots& piece) {
+        for (std::size_t i = 0; i < piece.size(); ++i)
+            dots.insert(dots.end(), {piece.x[i], piece.y[i], piece.radius[i], static_cast<float>(piece.pen)});
         return true;
     });
 }
@@ -101,31 +92,30 @@ void collect_dots() {
 // Five values a tile: x, y and side in millimetres, level and kind.
 void collect_tiles() {
     tiles.clear();
-    for (const dapple::DrawnTile& tile : drawn().tiles())
+    for (const dapple::PlacedTile& tile : drawn().tiles())
         for (const double value :
-             {tile.x, tile.y, tile.side, double(tile.level), static_cast<double>(tile.kind)})
+             {tile.x, tile.y, tile.side, double(tile.level), static_cast<double>(tile.kind.value_or(0))})
             tiles.push_back(static_cast<float>(value));
 }
 
 // The dots whose spectrum tells of the drawing: all of them or, of too many, those in the page's middle.
 struct MeasuredDots {
-    std::vector<double> x, y;
-    double width = 0, height = 0;  // what they lie in, millimetres
+    std::vector<glm::dvec2> dots;
+    dapple::Domain page;  // what they lie in, millimetres
 };
 MeasuredDots measured_dots() {
     constexpr std::size_t kMost = 50'000;
-    const double page_width = drawn().page_width_mm(), page_height = drawn().page_height_mm();
+    const dapple::PageSize& page = drawn().page.whole.size;
     MeasuredDots measured;
     for (double share = 1;; share *= 0.95) {
-        measured = {{}, {}, share * page_width, share * page_height};
-        const double left = (page_width - measured.width) / 2, top = (page_height - measured.height) / 2;
+        measured = {{}, {share * page.width_mm, share * page.height_mm, dapple::Topology::window}};
+        const auto& [width, height, ignored] = measured.page;
+        const double left = (page.width_mm - width) / 2, top = (page.height_mm - height) / 2;
         for (std::size_t i = 0; i < dots.size(); i += 4) {
             const double x = dots[i] - left, y = dots[i + 1] - top;
-            if (x < 0 || y < 0 || x > measured.width || y > measured.height) continue;
-            measured.x.push_back(x);
-            measured.y.push_back(y);
+            if (x >= 0 && y >= 0 && x <= width && y <= height) measured.dots.emplace_back(x, y);
         }
-        if (measured.x.size() <= kMost) return measured;
+        if (measured.dots.size() <= kMost) return measured;
     }
 }
 
@@ -137,19 +127,19 @@ const char* engine_error() {
     return error.c_str();
 }
 
-/// See Settings::text() and Settings::rows().
+/// See json_of() and rows_json().
 const char* engine_usual_settings() {
-    return guarded([] { return kept(dapple::Settings().text()); });
+    return guarded([] { return kept(dapple::json_of({})); });
 }
 const char* engine_rows() {
-    return guarded([] { return kept(dapple::Settings::rows()); });
+    return guarded([] { return kept(dapple::rows_json()); });
 }
 
 /// Those that are here, with a space between.
 const char* engine_tile_names() {
     return guarded([] {
         std::string names;
-        for (const std::string& name : dapple::tile_names())
+        for (const std::string name : dapple::built_in_tile_names())
             if (!is_left_out(name)) names += (names.empty() ? "" : " ") + name;
         return kept(std::move(names));
     });
@@ -159,9 +149,9 @@ unsigned engine_most_dots() {
     return kMostDots;
 }
 
-/// Those of a project or a drawing, checked, as changed() has them.
+/// Those of a project or a drawing that are not as usual, checked.
 const char* engine_changed(const char* settings) {
-    return guarded([&] { return kept(dapple::Settings(settings).changed()); });
+    return guarded([&] { return kept(dapple::settings_of(settings).embedded); });
 }
 
 /// Red, green, blue and alpha, sRGB-encoded.
@@ -174,30 +164,16 @@ int engine_set_picture(const std::uint8_t* rgba, int width, int height) {
     });
 }
 
-/// What was drawn, as JSON; its dots are then at engine_dots().
+/// What was drawn, as report_json() has it; its dots are then at engine_dots().
 const char* engine_draw(const char* json) {
     return guarded([&] {
         drawing.reset();  // nobody saves what was there before
-        const dapple::Settings settings{std::string_view(json)};
-        check(settings);
-        const dapple::Plan plan = stippler.plan(settings);
-        check_count(plan.dots);
+        const dapple::Settings settings = dapple::settings_of(json);
+        check(settings.drawing);
+        check_count(static_cast<std::uint64_t>(stippler.plan(settings.drawing).dots()));
         drawing = stippler.draw(settings);
         collect_dots();
-        const Json drawn{{"dots", drawing->count()},
-                         {"steps", plan.steps},
-                         {"width", drawing->page_width_mm()},
-                         {"height", drawing->page_height_mm()},
-                         {"radius", plan.radius_mm},
-                         {"pens", pens_of(drawing->pens())},
-                         {"tone",
-                          {{"black_point", plan.black_point},
-                           {"white_point", plan.white_point},
-                           {"contrast", plan.contrast},
-                           {"brightness", plan.brightness},
-                           {"gamma", plan.gamma},
-                           {"black", plan.black}}}};
-        return kept(drawn.dump());
+        return kept(dapple::report_json(*drawing));
     });
 }
 const float* engine_dots() {
@@ -219,8 +195,7 @@ const float* engine_tiles() {
 const char* engine_file(const char* format) {
     return guarded([&] {
         std::ostringstream out;
-        drawn().write(out,
-                      std::string_view(format) == "svg" ? dapple::FileFormat::svg : dapple::FileFormat::csv);
+        drawn().write(out, dapple::text_format(format));
         return kept(std::move(out).str());
     });
 }
@@ -229,30 +204,28 @@ const char* engine_file(const char* format) {
 /// spectrum is then at engine_spectrum_pixels(), as large as the functions below say.
 const char* engine_spectrum() {
     return guarded([] {
-        using enum dapple::PointEdges;
-        const auto [x, y, width, height] = measured_dots();
-        dapple::SpectrumPicture picture = dapple::spectrum_of(x, y, width, height, unknown);
-        pixels = {picture.width, picture.height, std::move(picture.rgb)};
+        const auto [points, page] = measured_dots();
+        pixels = dapple::spectrum_picture(dapple::periodogram(points, page));
         // To see one repeat takes two tiles beside each other.
         const double period = drawing->period_mm();
-        const bool two = 2 * period <= std::min(width, height) * (1 + 1e-9);
+        const bool two = 2 * period <= std::min(page.width, page.height) * (1 + 1e-9);
         const Json measured{
-            {"dots", x.size()},
+            {"dots", points.size()},
             {"period", two ? Json(period) : Json()},
             {"periodicity",
-             two ? Json(dapple::periodicity_of(x, y, width, height, period, unknown)) : Json()}};
+             two ? Json(dapple::periodicity(points, page, glm::dvec2(period)).value) : Json()}};
         return kept(measured.dump());
     });
 }
 const std::uint8_t* engine_spectrum_pixels() {
-    return pixels.rgb.data();
+    return &pixels.values[0].r;
 }
 
 /// Red, green and blue; gone after the next call.
 const std::uint8_t* engine_pixels(double dpi) {
     return guarded([&]() -> const std::uint8_t* {
         pixels = drawn().pixels(dpi);
-        return pixels.rgb.data();
+        return &pixels.values[0].r;
     });
 }
 int engine_pixels_height() {

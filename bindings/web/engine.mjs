@@ -52,7 +52,8 @@ export async function startEngine(module) {
         // What was drawn, and `positions`: x, y and radius in millimetres and the pen of each dot, one after the other.
         // `tiles`, if they are shown: x, y and side in millimetres, level and kind.
         draw(settings) {
-            const drawn = JSON.parse(textOf("engine_draw", JSON.stringify(settings)));
+            const {page_mm: [width, height], radius_mm: radius, ...others} = JSON.parse(textOf("engine_draw", JSON.stringify(settings)));
+            const drawn = {...others, width, height, radius};
             const numbers = (place, count) => new Float32Array(exports.memory.buffer, place, count).slice();
             const positions = numbers(exports.engine_dots(), 4 * drawn.dots);
             if (!settings.drawing?.show_tiles) return {...drawn, positions};

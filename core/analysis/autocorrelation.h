@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/analysis/domain.h"
+#include "core/export.h"
 #include "core/image/grid.h"
 
 namespace dapple {
@@ -95,8 +96,9 @@ struct Periodicity {
 /// would meet a point by chance). 1 for a periodic set. Not exactly 0 for others: the highest of some hundred
 /// lags is about 0.01 for unrelated points and a sample of 4096. 0 if there is no such lag, or no point. The
 /// same to the bit for any number of threads. Unfinished when a stop was requested.
-Periodicity periodicity(std::span<const glm::dvec2> points, const Domain& domain, glm::dvec2 period,
-                        const PeriodicityOptions& options = {}, std::stop_token stop = {});
+DAPPLE_API Periodicity periodicity(std::span<const glm::dvec2> points, const Domain& domain,
+                                   glm::dvec2 period, const PeriodicityOptions& options = {},
+                                   std::stop_token stop = {});
 
 /// The period to look for in dots of a tile, in page units, with so many tiles' points (> 0) on a square
 /// unit: the side of the last level's tiles that are all there.

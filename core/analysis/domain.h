@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/export.h"
 #include "core/text/names.h"
 
 namespace dapple {
@@ -34,14 +35,14 @@ struct Domain {
 
 /// The disc radius of `count` points in the densest packing, the hexagonal lattice:
 /// sqrt(area / (2 sqrt(3) count)) (Lagae & Dutré 2006, section 5). Its spacing is twice that. count >= 1.
-double largest_radius(const Domain& domain, std::size_t count);
+DAPPLE_API double largest_radius(const Domain& domain, std::size_t count);
 
 /// The points as every function of the analysis expects them: 0 <= x < width, 0 <= y < height on a torus,
 /// where others are moved by whole periods; 0 <= x <= width, 0 <= y <= height in a window.
 /// Throws std::runtime_error if a side of the domain or a coordinate is not a finite number, if a side is not
 /// positive, or if a point lies outside a window. `name` says in the message what the points are.
-std::vector<glm::dvec2> points_inside(std::span<const glm::dvec2> points, const Domain& domain,
-                                      const std::string& name = "points");
+DAPPLE_API std::vector<glm::dvec2> points_inside(std::span<const glm::dvec2> points, const Domain& domain,
+                                                 const std::string& name = "points");
 
 /// Leaves one point at each place: of those within `near` of another, on both axes, the one with the smallest
 /// x.

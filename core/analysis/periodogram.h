@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "core/analysis/domain.h"
+#include "core/export.h"
 
 namespace dapple {
 
@@ -90,7 +91,7 @@ struct Periodogram {
 /// take about 0.05 s, a million about a second and 350 MB; both grow with highest_frequency^2 n.
 /// The same to the bit for any number of threads. Unfinished when a stop was requested: ask the token.
 /// Throws std::runtime_error if the spectrum would have more than 2^28 values.
-Periodogram periodogram(std::span<const glm::dvec2> points, const Domain& domain,
-                        const PeriodogramOptions& options = {}, std::stop_token stop = {});
+DAPPLE_API Periodogram periodogram(std::span<const glm::dvec2> points, const Domain& domain,
+                                   const PeriodogramOptions& options = {}, std::stop_token stop = {});
 
 }  // namespace dapple

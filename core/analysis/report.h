@@ -15,6 +15,7 @@
 #include "core/analysis/domain.h"
 #include "core/analysis/periodogram.h"
 #include "core/analysis/spectrum.h"
+#include "core/export.h"
 
 namespace dapple {
 
@@ -57,7 +58,7 @@ struct PointReport {
 /// Returns nothing if a stop was requested before all was done. The same to the bit for any number of
 /// threads. Throws std::runtime_error as points_inside() and periodogram() do, and if the period is not
 /// positive.
-std::optional<PointReport> analyse(std::span<const glm::dvec2> points, const Domain& domain,
-                                   const ReportOptions& options = {}, std::stop_token stop = {});
+DAPPLE_API std::optional<PointReport> analyse(std::span<const glm::dvec2> points, const Domain& domain,
+                                              const ReportOptions& options = {}, std::stop_token stop = {});
 
 }  // namespace dapple

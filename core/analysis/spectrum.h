@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/analysis/periodogram.h"
+#include "core/export.h"
 #include "core/image/grid.h"
 
 namespace dapple {
@@ -25,7 +26,7 @@ inline constexpr float kPeakPower = 16;
 ///
 /// A bin is a pixel; small spectra are enlarged by a whole number until the longer side is at least
 /// `longer_side` / 2, large ones shrunk, each pixel the highest of its bins, until it is at most that.
-Grid<glm::u8vec3> spectrum_picture(const Periodogram& spectrum, int longer_side = 1024);
+DAPPLE_API Grid<glm::u8vec3> spectrum_picture(const Periodogram& spectrum, int longer_side = 1024);
 
 /// Frequencies whose length, in units of 1 / sqrt(area), rounds to the same integer (Ulichney 1987, "Digital
 /// Halftoning", chapter 3).

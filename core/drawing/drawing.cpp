@@ -52,7 +52,7 @@ Machine usual_machine(DrawingFormat format, GcodeTool tool) {
     return tool == GcodeTool::laser ? Machine::grbl_laser : Machine::grbl_pen;
 }
 
-Dots sorted_dots(const DotStream& stream, DotOrder order, const RoutingWatch& watch) {
+Dots sorted_dots(const DotStream& stream, DotOrder order, const Watch& watch) {
     Dots all;
     stream.for_each_piece([&](const Dots& piece) {
         all.reserve(stream.count, !piece.critical.empty());
@@ -64,7 +64,7 @@ Dots sorted_dots(const DotStream& stream, DotOrder order, const RoutingWatch& wa
     return all;
 }
 
-DotPieces sorted_by_pen(const DotStream& stream, DotOrder order, const RoutingWatch& watch) {
+DotPieces sorted_by_pen(const DotStream& stream, DotOrder order, const Watch& watch) {
     DotPieces sorted;
     stream.for_each_piece([&](const Dots& piece) {
         if (sorted.pieces.empty() || sorted.pieces.back().pen != piece.pen) {
@@ -78,7 +78,7 @@ DotPieces sorted_by_pen(const DotStream& stream, DotOrder order, const RoutingWa
     return sorted;
 }
 
-std::optional<double> put_in_order(DotPieces& by_pen, DotOrder order, const RoutingWatch& watch) {
+std::optional<double> put_in_order(DotPieces& by_pen, DotOrder order, const Watch& watch) {
     std::optional<double> curve_way;
     const auto pens = static_cast<double>(by_pen.pieces.size());
     double done = 0;

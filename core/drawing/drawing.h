@@ -41,14 +41,14 @@ Machine usual_machine(DrawingFormat format, GcodeTool tool);
 
 /// All dots of a stream, sorted; `recursion` leaves them as they come. The shortest order takes a
 /// while.
-Dots sorted_dots(const DotStream& stream, DotOrder order, const RoutingWatch& watch = {});
+Dots sorted_dots(const DotStream& stream, DotOrder order, const Watch& watch = {});
 
 /// The same, each pen's by themselves, one pen after the other. If stopped, some are missing.
-DotPieces sorted_by_pen(const DotStream& stream, DotOrder order, const RoutingWatch& watch = {});
+DotPieces sorted_by_pen(const DotStream& stream, DotOrder order, const Watch& watch = {});
 
 /// Sorts the dots of each piece. Returns how long the way along the curve was, in page units, if it was made
 /// shorter.
-std::optional<double> put_in_order(DotPieces& by_pen, DotOrder order, const RoutingWatch& watch = {});
+std::optional<double> put_in_order(DotPieces& by_pen, DotOrder order, const Watch& watch = {});
 
 struct DrawingToSave {
     DotStream dots;  // with what says when they appear if they go into a table

@@ -19,6 +19,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/export.h"
 #include "core/image/mask.h"
 #include "core/image/rectangle.h"
 #include "core/placing/page.h"
@@ -57,10 +58,10 @@ enum class Paper {
 };
 
 /// "as the picture", "custom", "A4", "Letter", "ANSI C", "Arch D"; in the order of Paper.
-std::span<const char* const> names_of(Paper);
+DAPPLE_API std::span<const char* const> names_of(Paper);
 
 /// Width and height in millimetres, upright, of a paper that has a name (ISO 216, ANSI/ASME Y14.1).
-glm::dvec2 paper_size(Paper paper);
+DAPPLE_API glm::dvec2 paper_size(Paper paper);
 
 enum class PageOrientation {
     automatic,  // as the picture; a custom page as it is given
@@ -138,15 +139,15 @@ PageLayout layout_of(const PageSetup& setup, glm::ivec2 framed_picture, const Do
 
 /// What --page takes: a paper's name in upper or lower case, or "210x297", "8.5x11in". Sets paper, width and
 /// height. Throws std::runtime_error saying what is wrong.
-void read_paper(std::string_view text, PageSetup& setup);
+DAPPLE_API void read_paper(std::string_view text, PageSetup& setup);
 
 /// "15mm", all around; "10,15,20,15": top, right, bottom, left; "auto": none. Throws std::runtime_error.
-std::optional<Margins> parse_margins(std::string_view text);
+DAPPLE_API std::optional<Margins> parse_margins(std::string_view text);
 /// The same, in millimetres: "15" or "10,15,20,15".
 std::string text_of(const Margins& margins);
 
 /// "100,50,640x480" in pixels, "10%,10%,50%x80%". Throws std::runtime_error.
-Crop parse_crop(std::string_view text);
+DAPPLE_API Crop parse_crop(std::string_view text);
 
 /// Throws std::runtime_error if it is less than half a pixel wide or high, which are drawn as one.
 void check_crop(const Crop& crop, glm::ivec2 picture);

@@ -11,6 +11,7 @@
 #include "core/image/detail.h"
 #include "core/maths/portable_math.h"
 #include "core/placing/page.h"
+#include "core/relaxing/relax.h"
 #include "core/relaxing/stir.h"
 
 namespace dapple {
@@ -82,6 +83,14 @@ void give_sizes(const DrawingPlan& plan, double scale, DotPieces& dots) {
 }
 
 }  // namespace
+
+double DrawingPlan::scale() const {
+    return placing.cut ? placing.cut->last_scale() : placing.scale;
+}
+
+double DrawingPlan::dots() const {
+    return placing.count ? static_cast<double>(*placing.count) : expected_dots(*density, scale());
+}
 
 double DrawingPlan::radius(double scale) const {
     if (size.sizing == DotSizing::automatic) return radius_for_tone(scale, full_load);
@@ -383,8 +392,7 @@ DrawingPlan Pipeline::plan(const DrawingRequest& asked, std::uint64_t most_dots)
 
     tone_for(plan, request);
 
-    const double dots = plan.placing.count ? static_cast<double>(*plan.placing.count)
-                                           : expected_dots(*plan.density, plan.placing.scale);
+    const double dots = plan.dots();
     const double most =
         static_cast<double>(most_dots) / (request.placer == PlacerKind::exact ? 1 : kWithDuplicates);
     if (!plan.pens.empty()) plan.by_pen = by_pen_under(request.mask);
@@ -421,10 +429,8 @@ RelaxingRequest relaxing_of(const DrawingPlan& plan, const Placer& placer, doubl
 }
 
 // Whether its dots are more than are settled at once.
-bool is_streamed(const DrawingPlan& plan, double scale) {
-    const double dots =
-        plan.placing.count ? static_cast<double>(*plan.placing.count) : expected_dots(*plan.density, scale);
-    return dots > static_cast<double>(kDotsAtOnce);
+bool is_streamed(const DrawingPlan& plan) {
+    return plan.dots() > static_cast<double>(kDotsAtOnce);
 }
 
 }  // namespace
@@ -441,7 +447,7 @@ bool Pipeline::draw(const DrawingPlan& plan, Stippling& drawn, const DrawingWatc
     if (relaxes && (!watch.step || watch.step(drawn, [&] { return sized(drawn.dots); }))) {
         auto start = Clock::now();
         RelaxingRequest relaxing = relaxing_of(plan, tile_->placer(), drawn.scale);
-        if (is_streamed(plan, drawn.scale) && !relaxing.keeps_density)
+        if (is_streamed(plan) && !relaxing.keeps_density)
             relaxing.carried = carried(tile_->placer(), density, plan.placing, relaxing);
         // What is shown before the end is seen by one warp more, which takes about as long as a step.
         const bool warped = !relaxing.carried && !relaxing.keeps_density;
@@ -480,7 +486,7 @@ double Pipeline::find_scale(DrawingPlan& plan) {
     PlacingRequest& placing = plan.placing;
     if (plan.placer == PlacerKind::exact && placing.count && !placing.cut)
         placing.cut = placing_of(tile_->placer(), *plan.density, {.placing = placing}).cut;
-    return placing.cut ? placing.cut->last_scale() : placing.scale;
+    return plan.scale();
 }
 
 std::optional<PlannedDrawing> Pipeline::drawing(DrawingPlan plan, const std::stop_token& stop) {
@@ -503,7 +509,7 @@ std::optional<PlannedDrawing> Pipeline::drawing(DrawingPlan plan, const std::sto
         const StreamRequest request{
             .placing = plan.placing, .part = {}, .finish = sizes_by_place(plan, drawing.scale)};
         RelaxingRequest relaxing = relaxing_of(plan, tile_->placer(), drawing.scale);
-        const bool streamed = is_streamed(plan, drawing.scale);
+        const bool streamed = is_streamed(plan);
         if (plan.steps > 0 && streamed)  // once for all parts
             share_work(tile_->placer(), *plan.density, plan.placing, plan.steps, relaxing);
         const auto settled = plan.steps > 0 && !streamed ? std::make_shared<SettledDots>() : nullptr;

@@ -16,7 +16,8 @@
 
 #include "core/drawing/page_setup.h"
 #include "core/drawing/pen_plan.h"
-#include "core/drawing/request.h"
+#include "core/drawing/settings.h"
+#include "core/export.h"
 #include "core/image/density.h"
 #include "core/image/detail.h"
 #include "core/image/histogram.h"
@@ -24,7 +25,6 @@
 #include "core/placing/dot_stream.h"
 #include "core/placing/page.h"
 #include "core/placing/stipple.h"
-#include "core/relaxing/relax.h"
 
 namespace dapple {
 
@@ -89,17 +89,22 @@ struct DrawingPlan {
     PageSetup setup;
     glm::ivec2 pixels{1, 1};  // of the picture, framed
 
+    /// The scale that is asked for, or at which a count ends once Pipeline::find_scale() found that.
+    DAPPLE_API double scale() const;
+    /// How many dots: exactly so many if a count is asked for, else about as many.
+    DAPPLE_API double dots() const;
+
     /// The radius of all dots, or of the largest ones, in page units, in a drawing that came to that scale;
     /// where dots are finer, of those that are not.
     double radius(double scale) const;
     /// That of the largest dots that there are in millimetres, on the page as it is then laid out.
-    double radius_mm(double scale) const;
+    DAPPLE_API double radius_mm(double scale) const;
 
     /// The radius of the largest dots over that of dots that are not finer.
     double largest_share() const { return 1 / std::sqrt(double{finer.least_times()}); }
 
     /// The page, and where on it the picture lies, of a drawing that came to that scale.
-    PageLayout layout(double scale) const;
+    DAPPLE_API PageLayout layout(double scale) const;
 
     /// Where dots have a fixed radius: about so many of them give the picture's tone.
     double dots_for_tone() const;

@@ -10,6 +10,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "core/export.h"
 #include "core/image/density.h"
 #include "core/image/grid.h"
 
@@ -22,7 +23,7 @@ class EnvironmentMap {
  public:
     /// Linear RGB radiance. Throws std::runtime_error saying what is wrong if the grid is not twice as wide
     /// as high (one pixel is an even sky), if a value is NaN, infinite or negative, or if all is black.
-    explicit EnvironmentMap(Grid<glm::vec3> radiance);
+    DAPPLE_API explicit EnvironmentMap(Grid<glm::vec3> radiance);
 
     int width() const { return radiance_.width; }
     int height() const { return radiance_.height; }

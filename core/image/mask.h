@@ -21,6 +21,7 @@
 #include <memory>
 #include <optional>
 
+#include "core/export.h"
 #include "core/image/grid.h"
 #include "core/image/rectangle.h"
 
@@ -92,11 +93,11 @@ glm::ivec2 mask_size(glm::ivec2 picture);
 
 /// Linear light as a mask, as paint programs show it: middle grey (#808080) is neutral, black is no dots,
 /// white is most. A larger picture becomes means of the encoded values.
-Mask mask_of(const Grid<float>& light);
+DAPPLE_API Mask mask_of(const Grid<float>& light);
 
 /// The mask with a picture of linear light as its fineness: black changes nothing, white is finest, between
 /// them as encoded. A mask that is there keeps its shape.
-Mask with_fineness(const Mask& mask, const Grid<float>& light);
+DAPPLE_API Mask with_fineness(const Mask& mask, const Grid<float>& light);
 
 /// A level or a fineness at a place in pixels from the mask's corner.
 float level_at(const Grid<std::uint8_t>& levels, glm::dvec2 place);

@@ -11,6 +11,7 @@
 #include <glm/vec3.hpp>
 #include <string_view>
 
+#include "core/export.h"
 #include "core/text/names.h"
 
 namespace dapple {
@@ -21,7 +22,7 @@ constexpr auto names_of(SphereConvention) {
 }
 
 /// The unit vector towards (u, v), u around and v from top to bottom, both 0..1.
-glm::dvec3 direction_of(glm::dvec2 uv, SphereConvention convention);
+DAPPLE_API glm::dvec3 direction_of(glm::dvec2 uv, SphereConvention convention);
 
 /// The way back: u in [0, 1), v in [0, 1]. The vector need not have length 1.
 glm::dvec2 uv_of(glm::dvec3 direction, SphereConvention convention);

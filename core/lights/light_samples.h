@@ -19,6 +19,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/export.h"
 #include "core/image/environment.h"
 #include "core/placing/stipple.h"
 #include "core/text/names.h"
@@ -134,8 +135,8 @@ struct LightSamples {
 /// Throws std::runtime_error if the count is out of range, if point radiance is asked for at places that are
 /// not random, if the tile cannot be used by the placer asked for, or if Figure 8 does not find so many
 /// places, as on a map whose light it loses. If stopped there are no samples.
-LightSamples light_samples(const EnvironmentMap& map, RankedTile& tile, const LightRequest& request,
-                           const LightWatch& watch = {});
+DAPPLE_API LightSamples light_samples(const EnvironmentMap& map, RankedTile& tile,
+                                      const LightRequest& request, const LightWatch& watch = {});
 
 /// The dots of that request on the map: u and v. None if stopped.
 std::vector<glm::dvec2> light_dots(const EnvironmentMap& map, RankedTile& tile, const LightRequest& request,

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/export.h"
 #include "core/text/names.h"
 
 namespace dapple {
@@ -41,24 +42,24 @@ constexpr auto names_of(DrawingFormat) {
 }
 
 /// ".svg, .pdf, ... or .json", the other endings too.
-std::string drawing_endings();
+DAPPLE_API std::string drawing_endings();
 
 /// What an ending in lower case says, with its point; none if it is another.
-std::optional<DrawingFormat> format_with_ending(std::string_view ending);
+DAPPLE_API std::optional<DrawingFormat> format_with_ending(std::string_view ending);
 
 /// PNG, TIFF: it has a resolution, and its dots have no order.
-bool has_pixels(DrawingFormat format);
+DAPPLE_API bool has_pixels(DrawingFormat format);
 /// SVG, G-code, HPGL, DXF: machines go from dot to dot in the file's order.
-bool is_plotted(DrawingFormat format);
+DAPPLE_API bool is_plotted(DrawingFormat format);
 /// G-code, HPGL: machines touch the paper once for each dot.
-bool is_touched(DrawingFormat format);
+DAPPLE_API bool is_touched(DrawingFormat format);
 /// CSV, JSON: it says when each dot appears, which the dots have to know.
-bool is_table(DrawingFormat format);
+DAPPLE_API bool is_table(DrawingFormat format);
 /// SVG, PDF: paper is painted under the dots if someone asks for it. Pixels always have it.
-bool has_optional_paper(DrawingFormat format);
+DAPPLE_API bool has_optional_paper(DrawingFormat format);
 /// Those, PNG and TIFF.
-bool has_colours(DrawingFormat format);
+DAPPLE_API bool has_colours(DrawingFormat format);
 /// No text: a terminal can make nothing of it.
-bool is_binary(DrawingFormat format);
+DAPPLE_API bool is_binary(DrawingFormat format);
 
 }  // namespace dapple

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/export.h"
 #include "core/image/rectangle.h"
 #include "core/output/plotting_time.h"
 #include "core/placing/dot_stream.h"
@@ -150,7 +151,7 @@ struct Finding {
 };
 
 /// "40 % of the dots run into others; fewer dots part them"
-std::string sentence_of(const Finding& finding);
+DAPPLE_API std::string sentence_of(const Finding& finding);
 
 /// From this many seconds on plotting is said to take long.
 inline constexpr double kLongPlottingS = 2 * 3600;

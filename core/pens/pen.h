@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/export.h"
 #include "core/image/colour.h"
 #include "core/text/names.h"
 
@@ -88,10 +89,10 @@ struct PenChoice {
 };
 
 /// What the choice says; none for one pen, and for automatic ones, which depend on the picture.
-Palette palette_of(const PenChoice& choice);
+DAPPLE_API Palette palette_of(const PenChoice& choice);
 
 /// Two dozen colours that many makers of fibre pens have.
-std::span<const Pen> common_pens();
+DAPPLE_API std::span<const Pen> common_pens();
 
 /// Whether one of them is neither a grey nor nearly one, as black inks are.
 bool has_colour(const Palette& pens);
@@ -102,13 +103,13 @@ void sort_pens(Palette& pens, PenOrder order);
 /// each a name, a colour and, if wanted, a width, and then a smallest gap: "Sky:#3aa0d8:0.3:0.6,
 /// Ochre:#c08a2e:0.5"; or "auto:5:" and own pens to choose from. A width may have a dot gain behind it,
 /// "0.3+0.05"; cmyk may end in "black=0.8". Throws std::runtime_error saying what is wrong.
-PenChoice parse_pens(std::string_view text);
+DAPPLE_API PenChoice parse_pens(std::string_view text);
 /// A file's: own pens, one a line; lines that begin with # and a space, and empty ones, say nothing.
-PenChoice parse_pen_list(std::string_view text);
+DAPPLE_API PenChoice parse_pen_list(std::string_view text);
 /// Those pens. Throws if two have one name, or if there are none or too many; or if the first is called as a
 /// set, which its text would then be read as.
-PenChoice own_pens(Palette pens);
+DAPPLE_API PenChoice own_pens(Palette pens);
 /// The same text again.
-std::string text_of(const PenChoice& choice);
+DAPPLE_API std::string text_of(const PenChoice& choice);
 
 }  // namespace dapple

@@ -14,6 +14,7 @@
 #include <stop_token>
 #include <vector>
 
+#include "core/export.h"
 #include "core/image/density.h"
 #include "core/placing/dot_order.h"
 #include "core/placing/dots.h"
@@ -71,9 +72,9 @@ class Placer {
     explicit Placer(PlacingTable table);
     /// With a table that others use too.
     explicit Placer(std::shared_ptr<const PlacingTable> table);
-    Placer(Placer&&) noexcept;
+    DAPPLE_API Placer(Placer&&) noexcept;
     Placer& operator=(Placer&&) noexcept;
-    ~Placer();
+    DAPPLE_API ~Placer();
 
     const PlacingTable& table() const { return *table_; }
     const std::shared_ptr<const PlacingTable>& shared_table() const { return table_; }

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/export.h"
 #include "core/image/density.h"
 #include "core/placing/dot_stream.h"
 #include "core/placing/dots.h"
@@ -72,7 +73,7 @@ class RankedTile {
 };
 
 /// A stored tile, ready for use. If its ranking is not by the method given here, it is ranked anew.
-RankedTile ranked_tile(StoredTile stored, std::optional<RankingMethod> method = {});
+DAPPLE_API RankedTile ranked_tile(StoredTile stored, std::optional<RankingMethod> method = {});
 
 /// The dots of a drawing, kept.
 struct Stippling {

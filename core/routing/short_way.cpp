@@ -135,7 +135,7 @@ namespace {
 /// threads, and those that gain are moved in one: the result depends on the dots and the way alone. When
 /// stopped, what was reached is left.
 void uncross(std::span<const float> x, std::span<const float> y, std::vector<std::uint32_t>& way,
-             const RoutingWatch& watch = {});
+             const Watch& watch = {});
 
 constexpr std::uint32_t kFan = 4;  // links in a box, boxes in one of the next level
 constexpr int kLongestRow = 3;     // of dots that are carried into a link
@@ -414,7 +414,7 @@ std::vector<std::uint32_t> make_move(LinkedTour& tour, const Move& move) {
 }
 
 void uncross(std::span<const float> x, std::span<const float> y, std::vector<std::uint32_t>& way,
-             const RoutingWatch& watch) {
+             const Watch& watch) {
     if (way.size() < 4) return;
     LinkedTour tour(x, y, way);
     double length = 0;
@@ -719,8 +719,7 @@ double way_length(std::span<const float> x, std::span<const float> y, std::span<
     return length;
 }
 
-std::vector<std::uint32_t> short_way(std::span<const float> x, std::span<const float> y,
-                                     const RoutingWatch& watch) {
+std::vector<std::uint32_t> short_way(std::span<const float> x, std::span<const float> y, const Watch& watch) {
     std::vector<std::uint32_t> order(x.size());
     std::iota(order.begin(), order.end(), 0u);
     if (order.size() < 3) return order;
@@ -752,7 +751,7 @@ std::vector<std::uint32_t> short_way(std::span<const float> x, std::span<const f
     return order;
 }
 
-void shorten_way(Dots& dots, const RoutingWatch& watch) {
+void shorten_way(Dots& dots, const Watch& watch) {
     const std::vector<std::uint32_t> order = short_way(dots.x, dots.y, watch);
     for (FloatBuffer* column : {&dots.x, &dots.y, &dots.threshold, &dots.critical, &dots.radius}) {
         if (column->empty()) continue;

@@ -23,10 +23,8 @@ namespace dapple {
 std::vector<std::uint32_t> greedy_way(std::span<const float> x, std::span<const float> y,
                                       std::span<const std::uint32_t> near, bool holds_first, bool holds_last);
 
-// Progress and stopping, for whoever waits for a pen's way.
-
-/// May be called from several threads, but not at the same time.
-struct RoutingWatch {
+/// Progress and stopping, for whoever waits. It may be called from several threads, but not at the same time.
+struct Watch {
     std::stop_token stop;                        // asks to give up
     std::function<void(double share)> progress;  // told now and then, 0..1, never backwards
 };
@@ -47,10 +45,10 @@ struct RoutingWatch {
 /// command, and every machine, write the same file. That is why there is no limit in seconds: whoever cannot
 /// wait stops it. Throws nothing of its own; when stopped, what was reached is returned.
 std::vector<std::uint32_t> short_way(std::span<const float> x, std::span<const float> y,
-                                     const RoutingWatch& watch = {});
+                                     const Watch& watch = {});
 
 /// Puts the dots, sorted along a Hilbert curve, in the order of short_way().
-void shorten_way(Dots& dots, const RoutingWatch& watch = {});
+void shorten_way(Dots& dots, const Watch& watch = {});
 
 /// The length of the way through dots as they come, in their unit.
 double way_length(std::span<const float> x, std::span<const float> y);

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/export.h"
 #include "core/placing/dot_stream.h"
 #include "core/placing/page.h"
 #include "core/strokes/strokes.h"
@@ -39,7 +40,7 @@ struct DotMark {
 };
 
 /// What --dot-shape takes: a shape's name, or a path. Throws std::runtime_error saying what is wrong.
-DotMark parse_dot_mark(std::string_view text);
+DAPPLE_API DotMark parse_dot_mark(std::string_view text);
 
 /// Its name, or its path.
 std::string text_of(const DotMark& mark);

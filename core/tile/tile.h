@@ -38,6 +38,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/export.h"
+
 namespace dapple {
 
 // The eight symmetries of the square, the group D4, acting about the square's centre.
@@ -80,7 +82,7 @@ glm::dvec2 apply(Orientation g, glm::dvec2 v);
 BinaryPoint apply(Orientation g, BinaryPoint p);
 
 /// x and y in [0, 1).
-glm::dvec2 to_unit_square(BinaryPoint p);
+DAPPLE_API glm::dvec2 to_unit_square(BinaryPoint p);
 
 /// The quadrant p lies in, and p blown up from that quadrant to the unit square, f(p) = 2p mod 1.
 int quadrant_of(BinaryPoint p);

@@ -67,6 +67,11 @@ std::optional<StoredTile> built_in_tile(std::string_view name) {
     return std::nullopt;
 }
 
+std::optional<StoredTile> tile_called(std::string_view name) {
+    if (looks_like_tile_integers(name)) return ranked(parse_tile_integers(name), RankingMethod::energy);
+    return built_in_tile(name);
+}
+
 bool looks_like_tile_integers(std::string_view name) {
     return name.find(',') != std::string_view::npos && name.find('/') != std::string_view::npos &&
            name.find_first_not_of("0123456789,/") == std::string_view::npos;

@@ -45,6 +45,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/export.h"
 #include "core/tile/ranking.h"
 #include "core/tile/tile.h"
 
@@ -61,15 +62,15 @@ struct StoredTile {
 std::string_view name_of(std::optional<RankingMethod> method);
 
 /// A tile ranked by one of the methods.
-StoredTile ranked(Tile tile, RankingMethod method);
+DAPPLE_API StoredTile ranked(Tile tile, RankingMethod method);
 
 /// The text of a tile. `comments` are lines to stand below the first one, without their #.
-std::string write_tile(const StoredTile& tile, std::span<const std::string> comments = {});
+DAPPLE_API std::string write_tile(const StoredTile& tile, std::span<const std::string> comments = {});
 
 /// What write_tile() wrote: the same points and ranks to the bit, if those of several kinds are ones of
 /// ranks_of_stages(). Throws std::runtime_error, "line 7: ...",
 /// if the text is anything else.
-StoredTile read_tile(std::string_view text);
+DAPPLE_API StoredTile read_tile(std::string_view text);
 
 /// A tile that is not ranked yet: the four digits of the rule on the first line, words on the others, blank
 /// lines and comments as above. Throws as read_tile().
@@ -89,10 +90,13 @@ struct BuiltInTile {
 const std::vector<BuiltInTile>& built_in_tiles();
 
 /// The names of built_in_tiles(), for lists to choose from.
-std::span<const char* const> built_in_tile_names();
+DAPPLE_API std::span<const char* const> built_in_tile_names();
 
 /// With the ranking that it is stored with. Nothing if no built-in tile has that name.
-std::optional<StoredTile> built_in_tile(std::string_view name);
+DAPPLE_API std::optional<StoredTile> built_in_tile(std::string_view name);
+
+/// The same, or of the paper's two integers, ranked by its energy. Throws as parse_tile_integers() does.
+DAPPLE_API std::optional<StoredTile> tile_called(std::string_view name);
 
 /// Whether a name is the paper's two integers: "14217,2895/16", which parse_tile_integers() reads.
 bool looks_like_tile_integers(std::string_view name);

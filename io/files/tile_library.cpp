@@ -46,8 +46,7 @@ std::string short_tile_name(const std::string& name) {
 }
 
 StoredTile load_tile(const std::string& name) {
-    if (std::optional<StoredTile> built_in = built_in_tile(name)) return *std::move(built_in);
-    if (looks_like_tile_integers(name)) return ranked(parse_tile_integers(name), RankingMethod::energy);
+    if (std::optional<StoredTile> known = tile_called(name)) return *std::move(known);
     std::error_code error;
     if (std::filesystem::exists(name, error)) return read_tile_file(name);
     throw std::runtime_error(

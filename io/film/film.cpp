@@ -230,7 +230,7 @@ Grid<glm::u8vec3> zoomed(Pipeline& pipeline, const Stage& stage, double zoom) {
     return page_pixels(stage.settings, stage.drawing(stream_of(dots), radius));
 }
 
-FilmFrame film_of_plot(Pipeline& pipeline, Stage stage, const FilmChoice& choice, const RoutingWatch& watch) {
+FilmFrame film_of_plot(Pipeline& pipeline, Stage stage, const FilmChoice& choice, const Watch& watch) {
     const DotStream stream = pipeline.stream(stage.plan, stage.page.part);
     const DotOrder order =
         choice.order.value_or(usual_order(DrawingFormat::svg, stream.count, stage.settings.style));
@@ -278,7 +278,7 @@ DrawingSettings film_settings(DrawingSettings settings, FilmKind kind) {
 }
 
 FilmFrame film_frames(Pipeline& pipeline, const DrawingSettings& settings, const FilmChoice& choice,
-                      const RoutingWatch& watch) {
+                      const Watch& watch) {
     Stage stage = stage_of(pipeline, settings, choice);
     switch (choice.kind) {
         case FilmKind::levels:

@@ -109,6 +109,6 @@ using FilmFrame = std::function<Grid<glm::u8vec3>(double share)>;
 /// outlive the result. What is slow to find (a plotter's way) is found now; if stopped, the result is empty.
 /// Throws as Pipeline::plan() does, and std::runtime_error if there is nothing to draw.
 FilmFrame film_frames(Pipeline& pipeline, const DrawingSettings& settings, const FilmChoice& choice,
-                      const RoutingWatch& watch = {});
+                      const Watch& watch = {});
 
 }  // namespace dapple

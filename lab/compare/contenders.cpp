@@ -8,7 +8,6 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "core/drawing/request.h"
 #include "core/drawing/settings.h"
 #include "core/placing/stipple.h"
 #include "core/relaxing/relax.h"

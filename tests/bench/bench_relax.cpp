@@ -11,6 +11,7 @@
 
 #include "core/drawing/pipeline.h"
 #include "core/drawing/settings.h"
+#include "core/relaxing/relax.h"
 #include "io/files/picture.h"
 #include "io/files/tile_library.h"
 

@@ -24,7 +24,6 @@
 #include <string>
 #include <vector>
 
-#include "core/drawing/request.h"
 #include "core/drawing/settings.h"
 #include "core/text/number_words.h"
 #include "io/files/tile_library.h"

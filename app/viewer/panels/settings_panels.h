@@ -18,7 +18,6 @@
 #include "app/viewer/panels/window_panels.h"
 #include "app/viewer/widgets/picture_entry.h"
 #include "core/drawing/page_setup.h"
-#include "core/drawing/request.h"
 #include "core/drawing/settings.h"
 #include "core/image/histogram.h"
 #include "core/image/tone.h"

@@ -12,7 +12,13 @@
 
 #include <stddef.h>
 
-#include "dapple/export.h"
+#ifndef DAPPLE_API
+#if defined(__GNUC__)
+#define DAPPLE_API __attribute__((visibility("default")))
+#else
+#define DAPPLE_API
+#endif
+#endif
 
 #ifdef __cplusplus
 extern "C" {

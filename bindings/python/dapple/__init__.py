@@ -86,6 +86,13 @@ class Plan:
     black: float
 
 
+def _report(text: str) -> dict[str, Any]:
+    """Of a plan or a drawing, with its pens and its page as they are handed out."""
+    report = json.loads(text)
+    pens = [Pen(pen["name"], tuple(pen["colour"])) for pen in report["pens"]]
+    return {**report, "pens": pens, "page_mm": tuple(report["page_mm"])}
+
+
 @dataclass(frozen=True)
 class Evenness:
     """Free of the unit: distances are over the largest that so many points can all have, frequencies in units of the
@@ -109,18 +116,15 @@ class Dots:
     drawn again if it is then saved.
     """
 
-    def __init__(self, drawing: _dapple.Drawing, settings: _dapple.Settings, source: _Source) -> None:
+    def __init__(self, drawing: _dapple.Drawing, settings: str, source: _Source) -> None:
         self._drawing = drawing
         self._settings = settings
         self._source = source
 
     def __getstate__(self) -> dict[str, Any]:
-        known = {name: getattr(self, name) for name in ("_source", "_count", "_pens", "_page_mm", "_arrays")}
-        return {"settings": self._settings.text(), **known}
+        return {name: getattr(self, name) for name in ("_settings", "_source", "_report", "_arrays")}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
-        self._settings = _dapple.Settings()
-        self._settings.set(state.pop("settings"))
         for array in state["_arrays"]:
             array.flags.writeable = False
         self.__dict__.update(state)
@@ -136,19 +140,11 @@ class Dots:
         return self._source.stippler().draw(self._settings)
 
     @functools.cached_property
-    def _count(self) -> int:
-        return self._drawing.count()
-
-    @functools.cached_property
-    def _pens(self) -> list[tuple[str, tuple[float, float, float]]]:
-        return self._drawing.pens()
-
-    @functools.cached_property
-    def _page_mm(self) -> tuple[float, float]:
-        return self._drawing.page_mm()
+    def _report(self) -> dict[str, Any]:
+        return _report(self._drawing.report())
 
     def __len__(self) -> int:
-        return self._count
+        return self._report["dots"]
 
     def __repr__(self) -> str:
         width, height = self.page_mm
@@ -184,12 +180,12 @@ class Dots:
     @property
     def pens(self) -> list[Pen]:
         """One: the ink."""
-        return [Pen(*pen) for pen in self._pens]
+        return list(self._report["pens"])
 
     @property
     def page_mm(self) -> tuple[float, float]:
         """Width and height of the page, margins and all."""
-        return self._page_mm
+        return self._report["page_mm"]
 
     def pixels(self, dpi: float | None = None) -> NDArray[np.uint8]:
         """The page as uint8, (height, width, 3), sRGB-encoded; so many to the inch, or as many as the settings say."""
@@ -197,21 +193,20 @@ class Dots:
 
     def advice(self, format: str = "svg") -> list[Advice]:
         """What to know before such a file is plotted or printed, the most important first; [] where all is well."""
-        return [Advice(*each) for each in self._drawing.advice(format)]
+        return [Advice(**each) for each in json.loads(self._drawing.findings(format))]
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Into a .svg, .png, .gcode, .nc, .hpgl, .plt, .dxf, .csv or .json, as `dapple render` does: with the
         settings' order, shapes, pens and resolution. The file is there once it is whole."""
         path = os.fspath(path)
         is_png = os.path.splitext(path)[1].lower() == ".png"
-        format = None if is_png else _dapple.file_format(path)
         part = path + ".part"
         try:
-            if format is None:
+            if is_png:
                 with open(part, "wb") as file:
-                    file.write(png(self.pixels(), self._dpi, self._settings.changed()))
+                    file.write(png(self.pixels(), self._dpi, _dapple.settings(self._settings, "{}")[1]))
             else:
-                self._drawing.save(part, format)
+                self._drawing.save(part, path)
             os.replace(part, path)
         except OSError as error:
             raise OSError(error.errno, error.strerror, path) from None
@@ -225,7 +220,7 @@ class Dots:
 
     @property
     def _dpi(self) -> float:
-        return json.loads(self._settings.text())["saving"]["dpi"]
+        return json.loads(self._settings)["saving"]["dpi"]
 
 
 @dataclass(frozen=True)
@@ -304,9 +299,9 @@ class Stippler:
 
     def plan(self, dots: int | None = None, *, settings: Mapping[str, Any] | str | None = None, **drawing: Any) -> Plan:
         """What draw() with these would come to."""
-        found = self._stippler.plan(settings_of(dots, settings, drawing))
-        found["pens"] = [Pen(*pen) for pen in found["pens"]]
-        return Plan(**found)
+        found = _report(self._stippler.plan(settings_of(dots, settings, drawing)))
+        everything = {**found.pop("tone"), **found}
+        return Plan(**{field.name: everything[field.name] for field in dataclasses.fields(Plan)})
 
     def draw(self, dots: int | None = None, *, settings: Mapping[str, Any] | str | None = None, **drawing: Any) -> Dots:
         """As stipple() does."""
@@ -429,8 +424,8 @@ def analyse(points: ArrayLike, width: float = 1, height: float = 1, *, periodic:
     """How even points (n, 2) in a rectangle from 0 to width and 0 to height are, without those that are masked.
     Periodic: opposite edges meet; else nothing is known beyond the edges."""
     xy = floats("points", points, np.float64, "n", 2)
-    x, y = np.ascontiguousarray(xy[~np.ma.getmaskarray(points).any(axis=1)].T)
-    return Evenness(**_dapple.evenness(x, y, width, height, periodic))
+    seen = np.ascontiguousarray(xy[~np.ma.getmaskarray(points).any(axis=1)])
+    return Evenness(**_dapple.evenness(seen, width, height, periodic))
 
 
 def tile_names() -> list[str]:
@@ -451,4 +446,4 @@ def tile_points(text: str) -> NDArray[np.float64]:
 
 def usual_settings() -> dict[str, Any]:
     """All settings with their usual values: {"drawing": {...}, "saving": {...}}."""
-    return json.loads(_dapple.Settings().text())
+    return json.loads(settings_of(None, None, {}))

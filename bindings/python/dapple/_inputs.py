@@ -78,19 +78,13 @@ def check_interpolation(interpolation: str) -> None:
         raise ValueError(f"interpolation is {interpolation!r}; give 'nearest' or 'linear'")
 
 
-def settings_of(
-    dots: int | None, settings: Mapping[str, Any] | str | None, drawing: dict[str, Any]
-) -> _dapple.Settings:
-    whole = _dapple.Settings()
-    if isinstance(settings, str):
-        whole.set(settings)
-    elif settings is not None:
-        whole.set(_json(settings))
+def settings_of(dots: int | None, settings: Mapping[str, Any] | str | None, drawing: dict[str, Any]) -> str:
+    """All settings, as their JSON: the usual ones, changed by `settings`, by `drawing`, and to so many dots."""
+    given = "{}" if settings is None else settings if isinstance(settings, str) else _json(settings)
     if dots is not None:
         drawing = {**drawing, "count": whole_number("dots", dots, 1, 10_000_000_000)}
     saving = {"saving": drawing.pop("saving")} if "saving" in drawing else {}
-    whole.set(_json({"drawing": drawing, **saving}))
-    return whole
+    return _dapple.settings(given, _json({"drawing": drawing, **saving}))[0]
 
 
 def _json(value: Any) -> str:

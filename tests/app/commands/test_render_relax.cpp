@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/drawing/request.h"
+#include "core/drawing/settings.h"
 #include "core/image/tone.h"
 #include "tests/file_text.h"
 #include "tests/render_scene.h"

@@ -1,15 +1,14 @@
-#include "dapple/picture.h"
+#include "core/image/light_picture.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/vec3.hpp>
 #include <limits>
 #include <stdexcept>
 #include <vector>
-
-#include "core/image/colour.h"
 
 namespace dapple {
 namespace {
@@ -30,23 +29,22 @@ LightPicture picture_of(std::span<const Value> pixels, int width, int height, in
             fmt::format("{} values for a picture of {} x {} pixels with {} channels, which has {}",
                         pixels.size(), width, height, channels, count * each));
     const bool coloured = channels > 2, transparent = channels % 2 == 0;
-    LightPicture picture{width, height, std::vector<float>(count), {}};
-    if (coloured) picture.colours.resize(3 * count);
+    LightPicture picture{.light = {width, height}};
+    if (coloured) picture.colours = {width, height};
     for (std::size_t i = 0; i < count; ++i) {
         const Value* const pixel = &pixels[i * each];
         glm::vec3 colour = coloured ? glm::vec3(light_of(pixel[0]), light_of(pixel[1]), light_of(pixel[2]))
                                     : glm::vec3(light_of(pixel[0]));
         if (transparent) colour = glm::mix(glm::vec3(1), colour, static_cast<float>(pixel[each - 1]) / full);
-        picture.light[i] = luminance(colour);
-        for (int k = 0; coloured && k < 3; ++k)
-            picture.colours[3 * i + static_cast<std::size_t>(k)] = colour[k];
+        picture.light.values[i] = luminance(colour);
+        if (coloured) picture.colours.values[i] = packed(colour);
     }
     return picture;
 }
 
 template <class Value>
 LightPicture picture_of_whole_numbers(std::span<const Value> pixels, int width, int height, int channels) {
-    constexpr std::size_t kMost = std::numeric_limits<Value>::max();
+    static constexpr std::size_t kMost = std::numeric_limits<Value>::max();
     static const std::vector<float> light = [] {
         std::vector<float> of_value(kMost + 1);
         for (std::size_t i = 0; i <= kMost; ++i)
@@ -79,6 +77,8 @@ LightPicture picture_of_srgb(std::span<const float> pixels, int width, int heigh
 }
 
 LightPicture picture_of_light(std::span<const float> pixels, int width, int height, int channels) {
+    if (!std::ranges::all_of(pixels, [](float value) { return std::isfinite(value); }))
+        throw std::runtime_error("a picture's light has a value that is not finite");
     return picture_of(pixels, width, height, channels, 1, [](float value) { return value; });
 }
 

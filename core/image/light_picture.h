@@ -3,18 +3,18 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
-#include "dapple/export.h"
+#include "core/export.h"
+#include "core/image/colour.h"
+#include "core/image/grid.h"
 
 namespace dapple {
 
-/// Linear light with the primaries of sRGB, row after row from the top: 0 is black, 1 as light as paper.
-/// Pictures of the outdoors may have more.
+/// Linear light with the primaries of sRGB: 0 is black, 1 as light as paper. Pictures of the outdoors may
+/// have more.
 struct LightPicture {
-    int width = 0, height = 0;   // pixels, 1 or more
-    std::vector<float> light;    // width * height: luminance
-    std::vector<float> colours;  // 3 * width * height: red, green, blue, for several pens; empty: a grey one
+    Grid<float> light;        // luminance
+    ColourGrid colours = {};  // of the same pixels, for several pens; empty: the picture is grey
 };
 
 /// Pixels as most programs have them: sRGB-encoded, of 8 or 16 bits a channel or as numbers from 0 to 1, row
@@ -27,7 +27,7 @@ DAPPLE_API LightPicture picture_of_srgb(std::span<const std::uint16_t> pixels, i
                                         int channels);
 DAPPLE_API LightPicture picture_of_srgb(std::span<const float> pixels, int width, int height, int channels);
 
-/// The same of linear light, which may be more than 1.
+/// The same of linear light, which may be more than 1. Throws std::runtime_error if a value is not finite.
 DAPPLE_API LightPicture picture_of_light(std::span<const float> pixels, int width, int height, int channels);
 
 }  // namespace dapple
