@@ -44,14 +44,14 @@ LightPicture picture_of(std::span<const Value> pixels, int width, int height, in
 
 template <class Value>
 LightPicture picture_of_whole_numbers(std::span<const Value> pixels, int width, int height, int channels) {
-    static constexpr std::size_t kMost = std::numeric_limits<Value>::max();
+    static constexpr std::size_t kWhole = std::numeric_limits<Value>::max();
     static const std::vector<float> light = [] {
-        std::vector<float> of_value(kMost + 1);
-        for (std::size_t i = 0; i <= kMost; ++i)
-            of_value[i] = srgb_to_linear(static_cast<float>(i) / static_cast<float>(kMost));
+        std::vector<float> of_value(kWhole + 1);
+        for (std::size_t i = 0; i <= kWhole; ++i)
+            of_value[i] = srgb_to_linear(static_cast<float>(i) / static_cast<float>(kWhole));
         return of_value;
     }();
-    return picture_of(pixels, width, height, channels, static_cast<float>(kMost),
+    return picture_of(pixels, width, height, channels, static_cast<float>(kWhole),
                       [&](Value value) { return light[value]; });
 }
 
