@@ -134,7 +134,8 @@ void check_same(const TemporaryFolder& folder, const std::string& png, const std
                 shades = std::max(shades, std::abs(read.preview.values[i][c] - right.preview.values[i][c]));
         CHECK(shades <= (file.within > 1e-3 ? 3 : 1));
         if (file.within < 1e-3) CHECK(mask_of(read.light) == mask_of(right.light));
-        const Grid<glm::vec3>& map = read_environment(folder / file.name).map.radiance();
+        const auto environment = read_environment(folder / file.name);
+        const Grid<glm::vec3>& map = environment.map.radiance();
         double most = 0;
         for (std::size_t i = 0; i < map.values.size(); ++i)
             for (int c = 0; c < 3; ++c)
