@@ -8,7 +8,6 @@
 #include <string>
 #include <utility>
 
-#include "app/viewer/desktop/desktop_dialog.h"
 #include "app/viewer/shell/window.h"
 #include "app/viewer/widgets/dialog.h"
 #include "app/viewer/widgets/keys.h"
@@ -152,15 +151,14 @@ ChangesAnswer ask_about_kept(const std::string& name, std::size_t others) {
 
 Asking::Asking() : desktop_dialog_(&Window::wake) {}
 
-void Asking::ask_what_to_open(OpenQuestion question, Asked asked, DialogChoice choice) {
+void Asking::ask_what_to_open(const OpenQuestion& question, Asked asked, DialogChoice choice) {
     if (desktop_dialog_.busy()) return;  // one at a time
     if (choice == DialogChoice::own || !has_desktop_dialog()) {
         asked_ = asked;
-        return dialog_.ask_what_to_open(std::move(question));
+        return dialog_.ask_what_to_open(question);
     }
     desktop_asked_ = asked;
-    desktop_dialog_.begin([asks = DesktopQuestion{question.title, question.endings, question.start}](
-                              const auto& todo) { return ask_desktop(asks, todo.stop()); });
+    desktop_dialog_.begin([question](const auto& todo) { return ask_desktop(question, todo.stop()); });
 }
 
 void Asking::ask_where_to_save(std::optional<SaveQuestion> question, Asked asked) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/viewer/background/background.h"
+#include "app/viewer/desktop/desktop_dialog.h"
 #include "app/viewer/shell/file_dialog.h"
 #include "app/viewer/shell/memory.h"
 #include "app/viewer/widgets/dialog.h"
@@ -65,7 +66,7 @@ class Asking {
     Asking();
 
     /// By the desktop's dialog, where that is the choice and there is one. Nothing while that is open.
-    void ask_what_to_open(OpenQuestion question, Asked asked, DialogChoice choice);
+    void ask_what_to_open(const OpenQuestion& question, Asked asked, DialogChoice choice);
     /// By our own, whose rows are the format's. None: nothing is asked.
     void ask_where_to_save(std::optional<SaveQuestion> question, Asked asked);
 

@@ -10,7 +10,6 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "app/viewer/desktop/desktop_folders.h"
 #include "app/viewer/desktop/pasted_picture.h"
 #include "app/viewer/model/session.h"
 #include "app/viewer/model/tile_choices.h"
@@ -297,15 +296,11 @@ void Shell::act(Action action, Document& document, const Frame& frame) {
         case Action::open_mask: {
             OpenQuestion question = document.what_to_open();
             if (question.start.empty()) question.start = folder_to_open();
-            question.recent = memory_.state.recent;
-            question.places = desktop_folders(home_folder(), shared_config_folder());
             const DialogChoice choice = memory_.preferences.dialog;
-            if (action == Action::open)
-                return asking_.ask_what_to_open(std::move(question), Asked::picture, choice);
+            if (action == Action::open) return asking_.ask_what_to_open(question, Asked::picture, choice);
             const bool mask = action == Action::open_mask;
             question.title = mask ? "Open a mask" : "Find the project's picture";
-            return asking_.ask_what_to_open(std::move(question), mask ? Asked::mask : Asked::found_picture,
-                                            choice);
+            return asking_.ask_what_to_open(question, mask ? Asked::mask : Asked::found_picture, choice);
         }
         case Action::open_tile:
             return asking_.ask_what_to_open({"Open a tile", {kTileEnding}, folder_of_tiles(document.tile())},

@@ -86,7 +86,6 @@ class Shell {
     /// What was dropped or pasted; see file_question.h.
     void take_files(std::vector<std::filesystem::path> files, Document& document);
     void draw_file_question(Document& document);
-    void ask_what_to_open(OpenQuestion question, Asked asked);
     void paste(Document& document);
     /// What the desktop's programs answered.
     void take_answers(Document& document);
