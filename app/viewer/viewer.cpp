@@ -19,14 +19,14 @@ static Memory memory_of_person(const auto& options) {
     return memory;
 }
 
-static UnsavedDrawings unsaved_of_person(bool fresh) {
+static std::filesystem::path folder_of_unsaved(bool fresh) {
     const std::filesystem::path folder = state_folder();
-    return UnsavedDrawings(fresh || folder.empty() ? "" : folder / "unsaved");
+    return fresh || folder.empty() ? "" : folder / "unsaved";
 }
 
 int run_viewer(const ViewerOptions& options) {
     if (options.tile) load_tile(*options.tile);
-    Shell shell(options.log_status, memory_of_person(options), unsaved_of_person(options.fresh));
+    Shell shell(options.log_status, memory_of_person(options), folder_of_unsaved(options.fresh));
     return shell.run(std::make_unique<DrawingDocument>(options.image, options.tile, shell.memory().state.view,
                                                        options.fresh ? "" : presets_folder(),
                                                        options.fresh ? "" : palettes_folder()));
@@ -34,7 +34,7 @@ int run_viewer(const ViewerOptions& options) {
 
 int run_viewer(const LightViewerOptions& options) {
     load_tile(options.settings.tile);
-    Shell shell(options.log_status, memory_of_person(options), UnsavedDrawings());
+    Shell shell(options.log_status, memory_of_person(options));
     return shell.run(std::make_unique<LightsDocument>(options.map, options.settings));
 }
 

@@ -41,11 +41,8 @@ fs::path ours_in(const fs::path& base) {
 fs::path home_folder() {
     return absolute_in("HOME");
 }
-fs::path shared_config_folder() {
-    return base_folder("XDG_CONFIG_HOME", ".config");
-}
 fs::path config_folder() {
-    return ours_in(shared_config_folder());
+    return ours_in(base_folder("XDG_CONFIG_HOME", ".config"));
 }
 fs::path data_folder() {
     return ours_in(base_folder("XDG_DATA_HOME", ".local/share"));

@@ -17,8 +17,6 @@ std::filesystem::path config_folder();
 std::filesystem::path state_folder();
 /// $XDG_DATA_HOME/dapple, or ~/.local/share/dapple: what a person made and has no other place.
 std::filesystem::path data_folder();
-/// $XDG_CONFIG_HOME, or ~/.config, which all programs share.
-std::filesystem::path shared_config_folder();
 /// $HOME; may be empty.
 std::filesystem::path home_folder();
 

@@ -191,7 +191,6 @@ TEST_CASE(
         REQUIRE(viewer.shows([&] { return viewer.has("mine.tile"); }));
         const int placings = viewer.status()["placings"];
         viewer.click("mine.tile");
-        viewer.click("Accept");
         REQUIRE(viewer.shows([&] { return !viewer.has("Path") && viewer.status()["placings"] > placings; }));
         exports_the_same(viewer);
     }
@@ -456,7 +455,6 @@ TEST_CASE("a picture is chosen in the list by its name") {
     viewer.key("ctrl+o");
     REQUIRE(viewer.shows([&] { return viewer.has("grey.pgm"); }));
     viewer.click("grey.pgm");
-    viewer.click("Accept");
     CHECK(viewer.shows([&] { return !viewer.has("Path"); }));
     CHECK(viewer.shows([&] {
         return ChildProcess({"xdotool", "search", "--name", "^grey.pgm - Dapple$"}).wait() == 0;

@@ -32,7 +32,7 @@ bool takes_kdialog() {
     return is_in_path("kdialog") && (is_kde || !is_in_path("zenity"));
 }
 
-std::vector<std::string> dialog_words(const DesktopQuestion& question) {
+std::vector<std::string> dialog_words(const OpenQuestion& question) {
     std::error_code ignored;
     const fs::path whole = fs::absolute(question.start, ignored);
     const fs::path folder = (fs::is_directory(whole, ignored) ? whole : whole.parent_path()) / "";
@@ -57,7 +57,7 @@ bool has_desktop_dialog() {
     return is_in_path("zenity") || is_in_path("kdialog");
 }
 
-std::optional<fs::path> ask_desktop(const DesktopQuestion& question, const std::stop_token& stop) {
+std::optional<fs::path> ask_desktop(const OpenQuestion& question, const std::stop_token& stop) {
     const std::vector<std::string> words = dialog_words(question);
     auto answer = output_of(words, {}, stop);
     if (!answer) return std::nullopt;

@@ -12,7 +12,8 @@ namespace dapple {
 /// Whether one of those programs is there.
 bool has_desktop_dialog();
 
-struct DesktopQuestion {
+/// What is to be opened.
+struct OpenQuestion {
     std::string title;
     std::vector<std::string> endings;  // ".png"; none: all files
     std::filesystem::path start;       // its folder is opened
@@ -20,7 +21,6 @@ struct DesktopQuestion {
 
 /// Waits until the person has chosen. Nothing: no file, or it was stopped. Throws std::runtime_error with one
 /// sentence if the dialog cannot be shown.
-std::optional<std::filesystem::path> ask_desktop(const DesktopQuestion& question,
-                                                 const std::stop_token& stop);
+std::optional<std::filesystem::path> ask_desktop(const OpenQuestion& question, const std::stop_token& stop);
 
 }  // namespace dapple

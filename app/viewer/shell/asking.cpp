@@ -1,14 +1,13 @@
 #include "app/viewer/shell/asking.h"
 
-#include <fmt/format.h>
-
 #include <imgui.h>
 #include <algorithm>
+#include <array>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <utility>
 
-#include "app/viewer/desktop/desktop_dialog.h"
 #include "app/viewer/shell/window.h"
 #include "app/viewer/widgets/dialog.h"
 #include "app/viewer/widgets/keys.h"
@@ -24,10 +23,46 @@ namespace {
 constexpr float kAnswersWidth = 30;     // letters' heights
 constexpr float kAnswersHeight = 0.6f;  // of the window's, at most
 
-bool answer_button(const char* label) {
-    const bool pressed = key_button(label);
-    note_place(label);
-    return pressed;
+struct Button {
+    const char* label;
+    const char* tip = nullptr;
+    std::optional<Key> key = {};  // that presses it while no button has the keys
+};
+
+bool pressed(const Button& button) {
+    const bool by_mouse = key_button(button.label);
+    note_place(button.label);
+    if (button.tip) tip(button.tip);
+    const bool by_key = button.key && !a_row_has_keys() && !ImGui::IsWindowAppearing();
+    return by_mouse || (by_key && key_pressed(*button.key));
+}
+
+// Which button was pressed, from 0 on; Cancel, and letting the dialog go, are the last. None yet: none.
+std::optional<int> ask(const char* title, const std::string& sentence,
+                       std::initializer_list<Button> buttons) {
+    bool open = true;
+    std::optional<int> answer;
+    const int cancel = static_cast<int>(buttons.size());
+    if (const Dialog dialog(title, open); dialog) {
+        ImGui::TextUnformatted(sentence.c_str());
+        int next = 0;
+        for (const Button& button : buttons) {
+            if (pressed(button)) answer = next;
+            ++next;
+            ImGui::SameLine();
+        }
+        if (pressed({"Cancel", "Escape"})) answer = cancel;
+        if (answer) open = false;
+    }
+    return open || answer ? answer : cancel;
+}
+
+std::optional<ChangesAnswer> ask_about_loss(const char* title, const std::string& sentence,
+                                            const Button& save, const Button& discard) {
+    const auto answer = ask(title, sentence, {save, discard});
+    if (!answer) return std::nullopt;
+    return std::array{ChangesAnswer::save, ChangesAnswer::discard,
+                      ChangesAnswer::cancel}[static_cast<std::size_t>(*answer)];
 }
 
 }  // namespace
@@ -40,32 +75,23 @@ void FileQuestion::ask(std::vector<std::filesystem::path> files, const IsBoth& i
 }
 
 std::optional<FileQuestion::Answer> FileQuestion::draw(const IsBoth& is_both) {
-    if (offered_.empty()) return std::nullopt;
     if (offered_.size() > 1) draw_several(is_both);
     if (offered_.size() != 1) return std::nullopt;
-    if (is_plain_) return Answer{std::exchange(offered_, {}).front()};
-    return draw_both();
-}
-
-std::optional<FileQuestion::Answer> FileQuestion::draw_both() {
-    bool open = true;
-    std::optional<Answer> answer;
-    if (const Dialog dialog("A drawing of Dapple's", open); dialog) {
-        const std::filesystem::path& file = offered_.front();
-        const std::string name = printable(file.filename().native());
-        ImGui::TextUnformatted((name + " is a picture, and holds the settings it was drawn with.").c_str());
-        if (answer_button("Take its settings")) answer = {file};
-        ImGui::SameLine();
-        if (answer_button("Open as a picture")) answer = {file, true};
-        if (answer) open = false;
-    }
-    if (!open) offered_.clear();
-    return answer;
+    const std::filesystem::path file = offered_.front();
+    std::optional<int> answer = 0;
+    if (!is_plain_)
+        answer = dapple::ask(
+            "A drawing of Dapple's",
+            printable(file.filename().native()) + " is a picture, and holds the settings it was drawn with.",
+            {{"Take its settings"}, {"Open as a picture"}});
+    if (!answer) return std::nullopt;
+    offered_.clear();
+    return *answer == 2 ? std::nullopt : std::optional(Answer{file, *answer == 1});
 }
 
 void FileQuestion::draw_several(const IsBoth& is_both) {
     bool open = true;
-    std::optional<std::filesystem::path> chosen;
+    std::vector<std::filesystem::path> chosen;
     if (const Dialog dialog("Which one is to be opened?", open); dialog) {
         const float line = ImGui::GetTextLineHeight(), air = 2 * ImGui::GetStyle().WindowPadding.y;
         const float all = static_cast<float>(offered_.size()) * ImGui::GetTextLineHeightWithSpacing() + air;
@@ -76,91 +102,47 @@ void FileQuestion::draw_several(const IsBoth& is_both) {
         for (const std::filesystem::path& file : offered_) {
             const std::string name = printable(file.filename().native());
             ImGui::PushID(&file);
-            if (text_entry(name, keys_.next_is_marked())) chosen = file;
-            if (keys_.end_entry(name).press) chosen = file;
+            const bool clicked = text_entry(name, keys_.next_is_marked());
+            if (keys_.end_entry(name).press || clicked) chosen = {file};
             ImGui::PopID();
             note_place(("Open " + name).c_str());
             tip(printable(file.native()).c_str());
         }
         ImGui::EndChild();
-        if (chosen) open = false;
+        open = open && chosen.empty();
     }
     if (!open) offered_.clear();
-    if (chosen) ask({*chosen}, is_both);
+    ask(std::move(chosen), is_both);
 }
 
-namespace {
-
-struct Button {
-    const char* label;
-    std::optional<Key> key;  // that presses it while no button has the keys
-    const char* tip;
-};
-
-bool pressed(const Button& button) {
-    const bool by_mouse = key_button(button.label);
-    note_place(button.label);
-    tip(button.tip);
-    const bool by_key = button.key && !a_row_has_keys() && !ImGui::IsWindowAppearing();
-    return by_mouse || (by_key && key_pressed(*button.key));
+std::optional<ChangesAnswer> ask_about_changes(const std::string& name) {
+    return ask_about_loss("Save the changes?", name + " has changes that are not saved.",
+                          {"Save", "As a project.   Return", Key::enter},
+                          {"Discard", "They are lost.   D", Key::d});
 }
 
-ChangesAnswer ask(const char* title, const std::string& sentence, const Button& save, const Button& discard,
-                  const std::optional<Button>& next = {}) {
-    bool open = true;
-    ChangesAnswer answer = ChangesAnswer::none;
-    if (const Dialog dialog(title, open); dialog) {
-        ImGui::TextUnformatted(sentence.c_str());
-        if (pressed(save)) answer = ChangesAnswer::save;
-        ImGui::SameLine();
-        if (pressed(discard)) answer = ChangesAnswer::discard;
-        ImGui::SameLine();
-        if (next) {
-            if (pressed(*next)) answer = ChangesAnswer::next;
-            ImGui::SameLine();
-        }
-        if (pressed({"Cancel", {}, "Escape"})) answer = ChangesAnswer::cancel;
-        if (answer != ChangesAnswer::none) open = false;
-    }
-    return open || answer != ChangesAnswer::none ? answer : ChangesAnswer::cancel;
+std::optional<ChangesAnswer> ask_about_saving(const std::string& name) {
+    return ask_about_loss("Quit while a file is being saved?", name + " is not completely written yet.",
+                          {"Quit once it is saved", "Return", Key::enter},
+                          {"Quit without it", "What was there before stays.   D", Key::d});
 }
 
-}  // namespace
-
-ChangesAnswer ask_about_changes(const std::string& name) {
-    return ask("Save the changes?", name + " has changes that are not saved.",
-               {"Save", Key::enter, "As a project.   Return"}, {"Discard", Key::d, "They are lost.   D"});
-}
-
-ChangesAnswer ask_about_saving(const std::string& name) {
-    return ask("Quit while a file is being saved?", name + " is not completely written yet.",
-               {"Quit once it is saved", Key::enter, "Return"},
-               {"Quit without it", Key::d, "What was there before stays.   D"});
-}
-
-ChangesAnswer ask_about_kept(const std::string& name, std::size_t others) {
-    std::string sentence = "Dapple ended before the drawing of " + name + " was saved.";
-    std::optional<Button> next;
-    if (others > 0) {
-        sentence += fmt::format("\nThere {} from before.",
-                                others == 1 ? "is one more" : fmt::format("are {} more", others));
-        next = Button{"An older one", Key::o, "This one is kept, and you are asked about the next.   O"};
-    }
-    return ask("Bring the drawing back?", sentence, {"Bring it back", Key::enter, "Return"},
-               {"Discard", Key::d, "It is lost.   D"}, next);
+std::optional<ChangesAnswer> ask_about_kept(const std::string& name) {
+    return ask_about_loss("Bring the drawing back?",
+                          "Dapple ended before the drawing of " + name + " was saved.",
+                          {"Bring it back", "Return", Key::enter}, {"Discard", "It is lost.   D", Key::d});
 }
 
 Asking::Asking() : desktop_dialog_(&Window::wake) {}
 
-void Asking::ask_what_to_open(OpenQuestion question, Asked asked, DialogChoice choice) {
+void Asking::ask_what_to_open(const OpenQuestion& question, Asked asked, DialogChoice choice) {
     if (desktop_dialog_.busy()) return;  // one at a time
     if (choice == DialogChoice::own || !has_desktop_dialog()) {
         asked_ = asked;
-        return dialog_.ask_what_to_open(std::move(question));
+        return dialog_.ask_what_to_open(question);
     }
     desktop_asked_ = asked;
-    desktop_dialog_.begin([asks = DesktopQuestion{question.title, question.endings, question.start}](
-                              const auto& todo) { return ask_desktop(asks, todo.stop()); });
+    desktop_dialog_.begin([question](const auto& todo) { return ask_desktop(question, todo.stop()); });
 }
 
 void Asking::ask_where_to_save(std::optional<SaveQuestion> question, Asked asked) {

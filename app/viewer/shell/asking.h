@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/viewer/background/background.h"
+#include "app/viewer/desktop/desktop_dialog.h"
 #include "app/viewer/shell/file_dialog.h"
 #include "app/viewer/shell/memory.h"
 #include "app/viewer/widgets/dialog.h"
@@ -34,7 +35,6 @@ class FileQuestion {
     std::size_t files() const { return is_plain_ ? 0 : offered_.size(); }
 
  private:
-    std::optional<Answer> draw_both();
     void draw_several(const IsBoth& is_both);
 
     std::vector<std::filesystem::path> offered_;  // empty: nothing is asked
@@ -44,18 +44,18 @@ class FileQuestion {
 
 // What is asked where changes would be lost.
 
-enum class ChangesAnswer { none, save, discard, next, cancel };
+enum class ChangesAnswer { save, discard, cancel };
 
-/// Asks what to do with the changes to what has that name, until there is an answer. Return saves, D
+/// Asks what to do with the changes to what has that name; none while there is no answer. Return saves, D
 /// discards, Escape cancels.
-ChangesAnswer ask_about_changes(const std::string& name);
+std::optional<ChangesAnswer> ask_about_changes(const std::string& name);
 
 /// Asks whether the window goes once the file of that name is saved (`save`), or without it.
-ChangesAnswer ask_about_saving(const std::string& name);
+std::optional<ChangesAnswer> ask_about_saving(const std::string& name);
 
 /// Asks what to do with a drawing that was not saved when the program ended; `save` is to bring it back.
-/// Cancel leaves it for the next time. Where there are `others`, `next` is to ask about one of those.
-ChangesAnswer ask_about_kept(const std::string& name, std::size_t others);
+/// Cancel leaves it for the next time.
+std::optional<ChangesAnswer> ask_about_kept(const std::string& name);
 
 /// What it is to be opened or saved as.
 enum class Asked { picture, found_picture, tile, mask, drawing, project, film };
@@ -65,7 +65,7 @@ class Asking {
     Asking();
 
     /// By the desktop's dialog, where that is the choice and there is one. Nothing while that is open.
-    void ask_what_to_open(OpenQuestion question, Asked asked, DialogChoice choice);
+    void ask_what_to_open(const OpenQuestion& question, Asked asked, DialogChoice choice);
     /// By our own, whose rows are the format's. None: nothing is asked.
     void ask_where_to_save(std::optional<SaveQuestion> question, Asked asked);
 

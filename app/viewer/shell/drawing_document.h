@@ -23,6 +23,10 @@
 
 namespace dapple {
 
+/// How many dots the window takes on: as many as half of so many bytes of memory hold, both sides of a split
+/// view and saving included; at least a million, at most kMostDots.
+std::uint64_t most_dots_in(std::uint64_t bytes);
+
 /// Frames per second while frames follow each other; a rest in between does not count.
 class FrameRate {
  public:

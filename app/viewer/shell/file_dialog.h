@@ -1,9 +1,10 @@
 #pragma once
-// Our own file dialog, the same on every desktop: a path to type, a folder to walk.
+// Dapple's file dialog: a path to type, which Tab completes, and the entries that it may become. Drawings are
+// saved by it, with what goes with their format; files are opened by it where the desktop has no dialog.
 //
-// By keyboard: Tab walks from the path to the lists, what is to be chosen, and the buttons. Arrows mark an
-// entry of a list, Enter opens it; Space takes a file's name into the path. Escape cancels. Elsewhere than in
-// a list or on a button, Enter accepts what the path says.
+// By keyboard: Tab completes the path, or walks from it to the entries, what is to be chosen, and the
+// buttons. Arrows mark an entry, Enter takes it. Escape cancels. Elsewhere than in the list or on a button,
+// Enter accepts what the path says.
 
 #include <filesystem>
 #include <functional>
@@ -12,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/viewer/desktop/desktop_dialog.h"
 #include "app/viewer/widgets/dialog.h"
 
 namespace dapple {
@@ -22,15 +24,14 @@ struct FolderEntry {
     bool operator==(const FolderEntry&) const = default;
 };
 
-/// A path that is being typed, in that folder or whole, with what all entries have in common that begin with
-/// its last name, in upper or lower case; a folder that alone does gets its slash. As typed where none does.
-std::string completed(const std::string& typed, const std::filesystem::path& folder,
-                      const std::vector<std::string>& extensions);
-
 /// Folders first, then the files whose lower-case extension is in the list (all when it is empty), each by
 /// name; hidden ones left out. Empty if the folder cannot be read.
 std::vector<FolderEntry> list_folder(const std::filesystem::path& folder,
                                      const std::vector<std::string>& extensions);
+
+/// A path that is being typed, with what all those entries of its folder have in common that begin with its
+/// last name, in upper or lower case; a folder that alone does gets its slash. As typed where none does.
+std::string completed(const std::filesystem::path& typed, const std::vector<FolderEntry>& entries);
 
 /// A kind of file that can be written.
 struct FileFormat {
@@ -39,18 +40,9 @@ struct FileFormat {
     std::string_view others = {};  // an ending that is read the same; none: empty
 };
 
-/// What is to be opened.
-struct OpenQuestion {
-    const char* title = "";
-    std::vector<std::string> endings{};           // of the files shown: ".png"; none: all files
-    std::filesystem::path start{};                // its folder is opened
-    std::vector<std::filesystem::path> recent{};  // opened before: shown beside the folder
-    std::vector<std::filesystem::path> places{};  // folders to go to at once
-};
-
 /// What is to be saved.
 struct SaveQuestion {
-    const char* title = "";
+    std::string title{};
     std::vector<FileFormat> formats{};  // the first is chosen unless the name's ending says another
     std::filesystem::path start{};      // its folder is opened, its name filled in
     std::filesystem::path own_file{};   // replaced without asking; none: empty
@@ -68,7 +60,7 @@ std::optional<std::size_t> format_of(const SaveQuestion& question, const std::fi
 class FileDialog {
  public:
     /// Opens it for a file that is there.
-    void ask_what_to_open(OpenQuestion question);
+    void ask_what_to_open(const OpenQuestion& question);
     /// Opens it for a file to write. One that is there already is replaced only after it was asked for twice.
     void ask_where_to_save(SaveQuestion question);
 
@@ -84,55 +76,43 @@ class FileDialog {
     std::optional<std::filesystem::path> draw(const DrawOptions& options = {});
 
  private:
-    void show(const std::filesystem::path& start);
+    void show();
     void enter(const std::filesystem::path& folder);
-    /// What the path field, the lists and the buttons ask to be accepted, if anything.
-    using Wanted = std::optional<std::filesystem::path>;
+    /// After the path became another: lists its folder, and takes back what was said of the last one.
+    void read_typed();
+    void type_on();
     /// True if its Enter was pressed.
     bool draw_path();
-    Wanted draw_lists();
-    Wanted draw_places();
-    /// Where a click on a place leads; empty: none was clicked.
-    std::filesystem::path draw_folders(const std::vector<std::filesystem::path>& folders);
-    Wanted draw_entries();
-    void take_name(const std::filesystem::path& file);
-    /// What is typed was changed by hand.
-    void follow_typed();
-    bool has_formats() const;  // to choose from
+    /// The entry that was pressed.
+    std::optional<std::filesystem::path> draw_entries(float height);
     void draw_formats();
-    /// Below the formats. In a low window they scroll, so that some of the folder is left to be seen.
-    std::string draw_options(const DrawOptions& options);
-    float options_room() const;
-    Wanted draw_buttons(const std::string& refusal, bool escape);
-    std::optional<std::filesystem::path> draw_replace_question(bool enter, bool escape);
-    std::optional<std::filesystem::path> accept(const std::filesystem::path& path,
+    std::string draw_options(const DrawOptions& options, float height);
+    /// True if it is to be accepted.
+    bool draw_buttons(const std::string& refusal, bool escape);
+    std::optional<std::filesystem::path> accept(const std::filesystem::path& chosen,
                                                 const std::string& refusal);
-    std::vector<std::string> endings() const;
+    /// Whether the entry may become of what is typed. Of a file to be written, any.
+    bool matches(const FolderEntry& entry) const;
+    bool saves() const { return !question_.formats.empty(); }
+    bool has_formats() const { return question_.formats.size() > 1; }  // to choose from
     /// Those files that are there already of what is written under that name.
     std::vector<std::filesystem::path> files_there(const std::filesystem::path& name) const;
-    /// When a file is to be opened: the folder's first entry whose name begins as what is typed; null: none
-    /// does.
-    const FolderEntry* entry_begun() const;
-    std::filesystem::path with_ending(const std::filesystem::path& path) const;
 
-    bool saves_ = false;
     bool open_ = false;
-    bool focus_path_ = false;  // it is to have the keyboard,
-    bool path_ends_ = false;   // with the cursor behind what is there, instead of all of it selected
+    bool focus_path_ = false;  // it is to have the keyboard, all of it selected;
+    bool path_ends_ = false;   // or it is filled in anew, with the cursor behind it
     bool path_has_keys_ = false;
-    bool jumps_ = false;  // to the entry that begins as what was typed
-    int path_turn_ = 0;   // another each time that the field is left by Tab
-    ListKeys place_keys_, entry_keys_;
-    OpenQuestion open_question_;  // of use if it does not save
-    SaveQuestion question_;       // if it does
+    int path_turn_ = 0;  // another each time that the field is left by Tab
+    ListKeys entry_keys_;
+    SaveQuestion question_;             // without formats where a file is opened
+    std::vector<std::string> endings_;  // of the files listed; none: all
     std::size_t format_ = 0;
-    float options_height_ = 0;  // as they were drawn last
-    std::filesystem::path folder_;
-    std::string typed_;                            // the path box
-    std::string filter_;                           // letters that listed entries have
-    std::string trouble_;                          // why the path cannot be taken
-    std::filesystem::path replaces_;               // what was asked for once,
-    std::vector<std::filesystem::path> replaced_;  // of whose files these are there already
+    float options_height_ = 0;        // as they were drawn last
+    std::filesystem::path folder_;    // that names without one lie in
+    std::string typed_;               // the path box
+    std::string trouble_;             // why the path cannot be taken, or what is asked of it
+    std::filesystem::path replaces_;  // what was asked for once
+    std::filesystem::path listed_;    // the folder of
     std::vector<FolderEntry> entries_;
 };
 

@@ -37,9 +37,23 @@ bool is_locked(const fs::path& kept) {
     return file && ::flock(file.get(), LOCK_EX | LOCK_NB) != 0;
 }
 
+void remove_kept(const fs::path& kept) {
+    std::error_code ignored;
+    fs::remove(kept, ignored);
+    fs::remove(lock_of(kept), ignored);
+}
+
 }  // namespace
 
-fs::path UnsavedDrawings::own_file() {
+KeptDrawings::KeptDrawings(fs::path folder) : folder_(std::move(folder)) {
+    std::error_code failed;
+    if (folder_.empty()) return;
+    for (fs::directory_iterator at(folder_, failed), end; !failed && at != end; at.increment(failed))
+        if (ends_as_project(at->path()) && !is_locked(at->path())) left_behind_.push_back(at->path());
+    std::ranges::sort(left_behind_, std::greater());  // their names begin with the time
+}
+
+fs::path KeptDrawings::own_file() {
     if (folder_.empty() || !own_.empty()) return own_;
     std::error_code failed;
     fs::create_directories(folder_, failed);
@@ -52,29 +66,11 @@ fs::path UnsavedDrawings::own_file() {
     return own_ = own;
 }
 
-void UnsavedDrawings::forget() {
+void KeptDrawings::forget() {
     if (own_.empty()) return;
-    remove(own_);
+    remove_kept(own_);
     own_.clear();
     lock_ = Descriptor();
-}
-
-std::vector<fs::path> UnsavedDrawings::left_behind() const {
-    std::vector<fs::path> left;
-    std::error_code failed;
-    if (folder_.empty()) return left;
-    for (fs::directory_iterator at(folder_, failed), end; !failed && at != end; at.increment(failed)) {
-        const fs::path& file = at->path();
-        if (ends_as_project(file) && file != own_ && !is_locked(file)) left.push_back(file);
-    }
-    std::ranges::sort(left, std::greater());  // their names begin with the time
-    return left;
-}
-
-void UnsavedDrawings::remove(const fs::path& left) {
-    std::error_code ignored;
-    fs::remove(left, ignored);
-    fs::remove(lock_of(left), ignored);
 }
 
 std::string picture_of_kept(const fs::path& kept) {
@@ -87,9 +83,6 @@ std::string picture_of_kept(const fs::path& kept) {
     }
 }
 
-KeptDrawings::KeptDrawings(UnsavedDrawings unsaved)
-    : unsaved_(std::move(unsaved)), left_behind_(unsaved_.left_behind()), asks_(!left_behind_.empty()) {}
-
 double KeptDrawings::seconds_until_kept(Document& document) const {
     constexpr double kNever = 3600, kKeepsEvery = 10;
     if (document.unsaved().empty() || document.session()->changes() == changes_kept_) return kNever;
@@ -99,43 +92,32 @@ double KeptDrawings::seconds_until_kept(Document& document) const {
 
 void KeptDrawings::keep(Document& document) {
     if (document.unsaved().empty()) {
-        if (std::exchange(changes_kept_, -1) != -1) unsaved_.forget();
+        if (std::exchange(changes_kept_, -1) != -1) forget();
         return;
     }
     if (ImGui::IsAnyItemActive() || seconds_until_kept(document) > 0) return;
     changes_kept_ = document.session()->changes();
     kept_ = std::chrono::steady_clock::now();
     try {
-        const std::filesystem::path own = unsaved_.own_file();
+        const fs::path own = own_file();
         if (own.empty()) return;
         document.session()->keep(own);
-        if (!left_behind_.empty() && !asks_) UnsavedDrawings::remove(std::exchange(left_behind_, {}).front());
+        if (!brought_back_.empty()) remove_kept(std::exchange(brought_back_, {}));
     } catch (const std::exception& error) {  // no reason to stop anybody's work
         std::fprintf(stderr, "dapple: %s; changes that are not saved are not kept\n", error.what());
     }
 }
 
 void KeptDrawings::draw_question(Document& document) {
-    const std::filesystem::path first = left_behind_.front();
-    switch (ask_about_kept(picture_of_kept(first), left_behind_.size() - 1)) {
-        case ChangesAnswer::none:
-            return;
-        case ChangesAnswer::next:
-            std::rotate(left_behind_.begin(), left_behind_.begin() + 1, left_behind_.end());
-            return;
-        case ChangesAnswer::cancel:
-            left_behind_.clear();
-            break;
-        case ChangesAnswer::discard:
-            UnsavedDrawings::remove(first);
-            left_behind_.erase(left_behind_.begin());
-            asks_ = !left_behind_.empty();
-            return;
-        case ChangesAnswer::save:
-            left_behind_ = {first};
-            if (Session* const session = document.session()) session->bring_back(first);
-    }
-    asks_ = false;
+    const fs::path first = left_behind_.front();
+    const auto answer = ask_about_kept(picture_of_kept(first));
+    if (!answer) return;
+    left_behind_.erase(left_behind_.begin());
+    if (answer == ChangesAnswer::discard) remove_kept(first);
+    if (answer != ChangesAnswer::save) return;
+    left_behind_.clear();
+    brought_back_ = first;
+    if (Session* const session = document.session()) session->bring_back(first);
 }
 
 }  // namespace dapple

@@ -10,7 +10,6 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "app/viewer/desktop/desktop_folders.h"
 #include "app/viewer/desktop/pasted_picture.h"
 #include "app/viewer/model/session.h"
 #include "app/viewer/model/tile_choices.h"
@@ -28,31 +27,24 @@ std::string Leaving::question() const {
 }
 
 std::optional<Successor> Leaving::draw(Document& document, Asking& asking) {
-    const bool waits = waiting_ && !waiting_->saving;
-    if (!waits && asks_about_saving_) draw_saving_question(document);
+    if (question() == "saving") {
+        const std::string file = document.saving();
+        const auto answer = file.empty() ? ChangesAnswer::save : dapple::ask_about_saving(file);
+        if (answer == ChangesAnswer::discard) document.stop_saving();
+        closes_once_saved_ = answer == ChangesAnswer::save || answer == ChangesAnswer::discard;
+        asks_about_saving_ = !answer;
+    }
     if (!waiting_) return std::nullopt;
-    return draw_changes_question(document, asking);
-}
-
-std::optional<Successor> Leaving::draw_changes_question(Document& document, Asking& asking) {
     const std::string name = document.unsaved();
     if (name.empty()) return std::exchange(waiting_, {})->next;
     if (waiting_->saving) {
         if (!asking.dialog().is_open()) waiting_.reset();  // it was not saved
         return std::nullopt;
     }
-    switch (ask_about_changes(name)) {
-        case ChangesAnswer::none:
-        case ChangesAnswer::next:
-            return std::nullopt;
-        case ChangesAnswer::cancel:
-            waiting_.reset();
-            return std::nullopt;
-        case ChangesAnswer::discard:
-            return std::exchange(waiting_, {})->next;
-        case ChangesAnswer::save:
-            break;
-    }
+    const auto answer = ask_about_changes(name);
+    if (answer == ChangesAnswer::discard) return std::exchange(waiting_, {})->next;
+    if (answer == ChangesAnswer::cancel) waiting_.reset();
+    if (answer != ChangesAnswer::save) return std::nullopt;
     waiting_->saving = true;
     Session& session = *document.session();
     if (const std::filesystem::path own = session.project_path(); !own.empty())
@@ -60,15 +52,6 @@ std::optional<Successor> Leaving::draw_changes_question(Document& document, Aski
     else
         asking.ask_where_to_save(document.where_to_save_project(), Asked::project);
     return std::nullopt;
-}
-
-void Leaving::draw_saving_question(Document& document) {
-    const std::string name = document.saving();
-    const ChangesAnswer answer = name.empty() ? ChangesAnswer::save : dapple::ask_about_saving(name);
-    if (answer == ChangesAnswer::none) return;
-    if (answer == ChangesAnswer::discard) document.stop_saving();
-    closes_once_saved_ = answer == ChangesAnswer::save || answer == ChangesAnswer::discard;
-    asks_about_saving_ = false;
 }
 
 namespace {
@@ -125,7 +108,7 @@ bool drag_edge(glm::vec2 canvas, float scale) {
 
 }  // namespace
 
-Shell::Shell(bool log_status, Memory memory, UnsavedDrawings unsaved)
+Shell::Shell(bool log_status, Memory memory, std::filesystem::path unsaved)
     : log_(log_status),
       memory_(std::move(memory)),
       window_("Dapple", memory_.state.window),
@@ -293,15 +276,11 @@ void Shell::act(Action action, Document& document, const Frame& frame) {
         case Action::open_mask: {
             OpenQuestion question = document.what_to_open();
             if (question.start.empty()) question.start = folder_to_open();
-            question.recent = memory_.state.recent;
-            question.places = desktop_folders(home_folder(), shared_config_folder());
             const DialogChoice choice = memory_.preferences.dialog;
-            if (action == Action::open)
-                return asking_.ask_what_to_open(std::move(question), Asked::picture, choice);
+            if (action == Action::open) return asking_.ask_what_to_open(question, Asked::picture, choice);
             const bool mask = action == Action::open_mask;
             question.title = mask ? "Open a mask" : "Find the project's picture";
-            return asking_.ask_what_to_open(std::move(question), mask ? Asked::mask : Asked::found_picture,
-                                            choice);
+            return asking_.ask_what_to_open(question, mask ? Asked::mask : Asked::found_picture, choice);
         }
         case Action::open_tile:
             return asking_.ask_what_to_open({"Open a tile", {kTileEnding}, folder_of_tiles(document.tile())},

@@ -43,9 +43,6 @@ class Leaving {
     std::optional<Successor> draw(Document& document, Asking& asking);
 
  private:
-    std::optional<Successor> draw_changes_question(Document& document, Asking& asking);
-    void draw_saving_question(Document& document);
-
     struct Waiting {
         Successor next;
         bool saving = false;  // its dialog is open
@@ -56,8 +53,9 @@ class Leaving {
 
 class Shell {
  public:
-    /// Opens the window. Throws std::runtime_error if there is no display.
-    Shell(bool log_status, Memory memory, UnsavedDrawings unsaved);
+    /// Opens the window. Drawings that are not saved are kept in that folder; none: they are not. Throws
+    /// std::runtime_error if there is no display.
+    Shell(bool log_status, Memory memory, std::filesystem::path unsaved = {});
 
     const Memory& memory() const { return memory_; }
 
@@ -69,9 +67,6 @@ class Shell {
     /// Whether the window may go: what is not saved is asked about first.
     bool may_close(std::unique_ptr<Document>& document);
     void go_back(std::unique_ptr<Document>& document);
-    /// What the question about changes waits with; goes on with it once there are none, or not at all.
-    void draw_changes_question(Document& document);
-    void go_on(Document& document);
     void open_answer(const FileQuestion::Answer& answer, Document& document);
     void go_on(const Successor& next, Document& document);
     /// About what would be lost; none of the other dialogs is drawn beside these.
@@ -83,10 +78,9 @@ class Shell {
     };
     Question question() const;
     void act(Action action, Document& document, const Frame& frame);
-    /// What was dropped or pasted; see file_question.h.
+    /// What was dropped or pasted; see FileQuestion.
     void take_files(std::vector<std::filesystem::path> files, Document& document);
     void draw_file_question(Document& document);
-    void ask_what_to_open(OpenQuestion question, Asked asked);
     void paste(Document& document);
     /// What the desktop's programs answered.
     void take_answers(Document& document);

@@ -6,7 +6,6 @@
 #include <set>
 #include <string>
 
-#include "app/viewer/desktop/desktop_folders.h"
 #include "app/viewer/desktop/pasted_picture.h"
 #include "app/viewer/model/session.h"
 #include "app/viewer/panels/settings_panels.h"
@@ -165,20 +164,6 @@ TEST_CASE("a pasted text names files as file managers and shells write them") {
          {std::string(), std::string("cat.jpg"), at, at + "/none.jpg", "file://elsewhere" + at + "/cat.jpg",
           std::string("%"), std::string("file://")})
         CHECK(files(text).empty());
-}
-
-TEST_CASE("the desktop's folders are those there are, each once") {
-    const TemporaryFolder home;
-    const fs::path config = home / ".config";
-    for (const char* name : {"Pictures", "My work", ".config/gtk-3.0"}) fs::create_directories(home / name);
-    std::ofstream(config / "user-dirs.dirs")
-        << "# comment\nXDG_DOWNLOAD_DIR=\"$HOME/Gone\"\n"
-           "XDG_PICTURES_DIR=\"$HOME/Pictures\"\nXDG_DESKTOP_DIR=\"$HOME/\"\n";
-    std::ofstream(config / "gtk-3.0/bookmarks")
-        << "file://" << home.path().string() << "/My%20work Work\nsftp://x/y\nfile://" << home.path().string()
-        << "/Pictures\n";
-    CHECK(desktop_folders(home.path(), config) ==
-          std::vector<fs::path>{home.path(), home / "Pictures", home / "My work"});
 }
 
 }  // namespace dapple

@@ -59,7 +59,7 @@ std::string paste_trouble(const DesktopPath& path) {
 
 TEST_CASE("the desktop's dialog is asked for pictures in a folder, and its answer is the file") {
     const DesktopPath path;
-    const DesktopQuestion question{"Open a picture", {".png", ".jpg"}, path / ""};
+    const OpenQuestion question{"Open a picture", {".png", ".jpg"}, path / ""};
     CHECK_FALSE(has_desktop_dialog());
     path.program("zenity", "for word; do echo \"$word\"; done > " + (path / "asked").string() +
                                "\necho '/pictures/a cat.png'");

@@ -13,34 +13,31 @@ namespace fs = std::filesystem;
 
 TEST_CASE("what a window kept is found once that window is no more") {
     const TemporaryFolder folder;
-    const UnsavedDrawings next(folder / "unsaved");
-    CHECK(next.left_behind().empty());
+    const auto asks = [&] { return KeptDrawings(folder / "unsaved").asks(); };
+    CHECK_FALSE(asks());
     fs::path kept;
     {
-        UnsavedDrawings window(folder / "unsaved");
+        KeptDrawings window(folder / "unsaved");
         kept = window.own_file();
         CHECK(window.own_file() == kept);
         put_text(kept, R"({"dapple": 1, "picture": {"file": "../cat.jpg"}})");
-        CHECK(next.left_behind().empty());  // it lives
+        CHECK_FALSE(asks());  // it lives
     }
-    REQUIRE(next.left_behind().size() == 1);
-    CHECK(next.left_behind()[0] == kept);
+    REQUIRE(asks());
+    CHECK(KeptDrawings(folder / "unsaved").asked() == kept);
     CHECK(picture_of_kept(kept) == "cat.jpg");
-    UnsavedDrawings::remove(kept);
-    CHECK(next.left_behind().empty());
-    CHECK(fs::is_empty(folder / "unsaved"));
 }
 
 TEST_CASE("a window that has nothing unsaved any more leaves nothing, and without a folder nothing is kept") {
     const TemporaryFolder folder;
-    UnsavedDrawings window(folder.path());
+    KeptDrawings window(folder.path());
     put_text(window.own_file(), "{}");
     window.forget();
     CHECK(fs::is_empty(folder.path()));
-    CHECK(UnsavedDrawings().own_file().empty());
-    CHECK(UnsavedDrawings().left_behind().empty());
+    CHECK(KeptDrawings().own_file().empty());
+    CHECK_FALSE(KeptDrawings().asks());
     put_text(folder / "file", "");
-    CHECK_THROWS(UnsavedDrawings(folder / "file").own_file());
+    CHECK_THROWS(KeptDrawings(folder / "file").own_file());
 }
 
 TEST_CASE("a kept drawing that cannot be read has a name all the same") {

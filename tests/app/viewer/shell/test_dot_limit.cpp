@@ -2,7 +2,7 @@
 
 #include <unistd.h>
 
-#include "app/viewer/desktop/desktop_folders.h"
+#include "app/viewer/shell/drawing_document.h"
 #include "core/drawing/settings.h"
 #include "io/available_memory.h"
 
