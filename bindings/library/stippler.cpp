@@ -176,7 +176,7 @@ bool Drawing::write(std::ostream& out, FileFormat kind, const Watch& watch) cons
         drawing.dots = stream_of(std::move(sorted), drawing.dots.scale);
     }
     try {
-        write_text_drawing(out, format, settings, drawing, [&](double share) {
+        write_as(format, out, ink_page(settings, drawing, format), [&](double share) {
             if (watch.stop.stop_requested()) throw Stopped();
             tell(routing + (1 - routing) * share);
         });
