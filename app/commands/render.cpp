@@ -125,7 +125,7 @@ class Stages {
 
 void check_output(const RenderOptions& options) {
     if (!is_standard_stream(options.output)) return check_can_save(options.output);
-    if (!is_binary(format_of(options)) || !::isatty(STDOUT_FILENO)) return;
+    if (is_text(format_of(options)) || !::isatty(STDOUT_FILENO)) return;
     throw std::runtime_error(
         "the standard output is a terminal, which cannot show such a drawing; send it to a file or a "
         "program");

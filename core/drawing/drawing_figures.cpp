@@ -4,7 +4,6 @@
 
 #include "core/drawing/gcode_choice.h"
 #include "core/output/gcode.h"
-#include "core/output/hpgl.h"
 
 namespace dapple {
 

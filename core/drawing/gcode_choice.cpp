@@ -37,18 +37,18 @@ void check_heights(const SavingChoice& saving) {
 
 GcodeProgram program_for(Machine machine, DrawingFormat format, const DrawingSettings& settings,
                          const DrawingToSave& drawing) {
-    const std::vector<CutMark> marks = registration_of(settings, drawing);
-    if (format != DrawingFormat::gcode) {
-        GcodeProgram result{.program = program_of(machine)};
-        result.program.registration = marks;
-        return result;
-    }
     const SavingChoice& saving = drawing.saving;
-    GcodeStyle style = gcode_style_of(saving);
-    style.dot_radius_mm = drawing.dot_radius_mm;
-    style.pens = drawing.pens;
-    style.registration = marks;
-    return program_of(style, saving.tool, saving.acceleration_mm_per_s2, drawing.page);
+    const std::vector<CutMark> marks = registration_of(settings, drawing);
+    if (format == DrawingFormat::gcode)
+        return program_of({.size = drawing.page,
+                           .dot_radius_mm = drawing.dot_radius_mm,
+                           .pens = drawing.pens,
+                           .registration = marks,
+                           .gcode = gcode_style_of(saving)},
+                          saving.tool, saving.acceleration_mm_per_s2);
+    GcodeProgram result{.program = program_of(machine)};
+    result.program.registration = marks;
+    return result;
 }
 
 DrawingFacts::Gcode gcode_facts(const GcodeProgram& gcode, double segments, double drawing_s) {

@@ -109,7 +109,7 @@ bool Drawing::write(std::ostream& out, DrawingFormat format, const Watch& watch)
         drawing.dots = stream_of(std::move(sorted), drawing.dots.scale);
     }
     try {
-        write_text_drawing(out, format, wanted, drawing, [&](double share) {
+        write_as(format, out, ink_page(wanted, drawing, format), [&](double share) {
             if (watch.stop.stop_requested()) throw Stopped();
             tell(routing + (1 - routing) * share);
         });

@@ -1,7 +1,6 @@
 #include "core/drawing/write_drawing.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <optional>
@@ -11,13 +10,10 @@
 
 #include "core/drawing/drawing.h"
 #include "core/drawing/gcode_choice.h"
-#include "core/output/csv.h"
-#include "core/output/dxf.h"
-#include "core/output/hpgl.h"
+#include "core/output/ink.h"
 #include "core/output/pen_figures.h"
 #include "core/output/plotting_time.h"
 #include "core/output/raster.h"
-#include "core/output/svg.h"
 #include "core/strokes/strokes.h"
 #include "core/text/length.h"
 #include "core/text/number_words.h"
@@ -99,35 +95,15 @@ DrawingToSave drawing_on(const DrawnPage& page, const PlannedDrawing& drawing, c
     return result;
 }
 
-namespace {
-
-// The pixels of a drawing with one pen, or with several.
-template <class Ink>
-Grid<glm::u8vec3> pixels_of(const DrawingSettings& settings, const Ink& ink, std::span<const Pen> pens,
-                            const PageSize& page, const RasterRequest& request) {
-    if (pens.empty()) return ink_on_paper(coverage_of(ink, page, request), settings.ink, settings.paper);
-    const RasterSize size = raster_size(page, request.dpi);
-    Grid<glm::u8vec3> all(size.width, size.height);
-    rasterise_pens(ink, page, request, pens.size(),
-                   [&](int first_row, std::span<const Grid<float>> coverage) {
-                       const auto band = ink_on_paper(coverage, pens, settings.paper);
-                       std::ranges::copy(band.values, &all.at(0, first_row));
-                   });
-    return all;
-}
-
-}  // namespace
-
 Grid<glm::u8vec3> page_pixels(const DrawingSettings& settings, const DrawingToSave& drawing) {
-    if (const auto strokes = strokes_of(settings, drawing, DrawingFormat::png))
-        return page_pixels(settings, *strokes, drawing.pens, drawing.page, drawing.saving.dpi);
-    return pixels_of(settings, drawing.dots, drawing.pens, drawing.page,
-                     {.dot_radius_mm = drawing.dot_radius_mm, .dpi = drawing.saving.dpi});
-}
-
-Grid<glm::u8vec3> page_pixels(const DrawingSettings& settings, const StrokeStream& strokes,
-                              std::span<const Pen> pens, const PageSize& page, double dpi) {
-    return pixels_of(settings, strokes, pens, page, {.dpi = dpi});
+    const InkPage page = ink_page(settings, drawing, DrawingFormat::png);
+    const RasterRequest request{.dpi = drawing.saving.dpi};
+    const RasterSize size = raster_size(page.size, request.dpi);
+    Grid<glm::u8vec3> all(size.width, size.height);
+    rasterise(page, request, [&](int first_row, std::span<const Grid<float>> coverage) {
+        std::ranges::copy(ink_on_paper(coverage, page, settings.paper).values, all.row(first_row));
+    });
+    return all;
 }
 
 double dpi_for(const PageSize& page, int longer_side) {
@@ -167,83 +143,35 @@ std::vector<std::string> machine_comments(const DrawingSettings& settings, const
 
 }  // namespace
 
-bool is_text(DrawingFormat format) {
-    return !has_pixels(format) && format != DrawingFormat::pdf;
-}
-
 std::vector<CutMark> registration_of(const DrawingSettings& settings, const DrawingToSave& drawing) {
     if (!settings.registration || drawing.pens.empty()) return {};
     return registration_marks(drawing.page);
 }
 
-void write_text_drawing(std::ostream& out, DrawingFormat format, const DrawingSettings& settings,
-                        const DrawingToSave& drawing, const WritingProgress& progress) {
-    const double radius = drawing.dot_radius_mm;
-    const CsvColumns columns{.dot_radius_mm = radius,
-                             .tile_size = drawing.tile_size,
-                             .pens = drawing.pens,
-                             .figure8 = settings.placer == PlacerKind::figure8};
-    std::optional<glm::vec3> background;
-    if (settings.background) background = settings.paper;
-    const PageSize& page = drawing.page;
-    const std::optional<StrokeStream> strokes = strokes_of(settings, drawing, format);
-    const std::vector<CutMark> marks = registration_of(settings, drawing);
-    // As strokes, if it has some.
-    const auto with_ink = [&](const auto& write) {
-        if (strokes)
-            write(*strokes);
-        else
-            write(drawing.dots);
-    };
-    switch (format) {
-        case DrawingFormat::svg: {
-            const SvgStyle style{.dot_radius_mm = radius,
-                                 .ink = settings.ink,
-                                 .pens = drawing.pens,
-                                 .registration = marks,
-                                 .background = background,
-                                 .tiles = drawing.tiles,
-                                 .picture = drawing.picture,
-                                 .cut_marks = drawing.cut_marks,
-                                 .settings = drawing.settings};
-            return with_ink([&](const auto& ink) { write_svg(out, ink, page, style, progress); });
-        }
-// The page in the browser saves none of these, and is to stay small.
-#ifndef DAPPLE_FOR_BROWSERS
-        case DrawingFormat::gcode: {
-            check_heights(drawing.saving);
-            GcodeStyle style = gcode_style_of(drawing.saving);
-            std::vector<std::string> comments;  // of a template of one's own they may begin otherwise
-            if (drawing.saving.gcode_template.text.empty())
-                comments = machine_comments(settings, drawing, strokes, format);
-            style.comments = comments;
-            style.dot_radius_mm = radius;
-            style.pens = drawing.pens;
-            style.registration = marks;
-            return with_ink([&](const auto& ink) { write_gcode(out, ink, page, style, progress); });
-        }
-        case DrawingFormat::hpgl:
-            return with_ink([&](const auto& ink) {
-                write_hpgl(
-                    out, ink, page, progress, marks,
-                    fmt::format("{}", fmt::join(machine_comments(settings, drawing, strokes, format), ", ")));
-            });
-        case DrawingFormat::dxf:
-            if (strokes) return write_dxf(out, *strokes, page, drawing.pens, progress, marks);
-            return write_dxf(out, drawing.dots, page, radius, drawing.pens, progress, marks);
-        case DrawingFormat::json:
-            return write_dots_json(out, drawing.dots, page, columns, progress);
-#endif
-        case DrawingFormat::csv:
-            return write_csv(out, drawing.dots, page, columns, progress);
-#ifdef DAPPLE_FOR_BROWSERS
-        default:
-#endif
-        case DrawingFormat::pdf:
-        case DrawingFormat::png:
-        case DrawingFormat::tiff:
-            throw std::logic_error("no text");
+InkPage ink_page(const DrawingSettings& settings, const DrawingToSave& drawing, DrawingFormat format) {
+    InkPage page{.size = drawing.page,
+                 .dots = drawing.dots,
+                 .strokes = strokes_of(settings, drawing, format),
+                 .dot_radius_mm = drawing.dot_radius_mm,
+                 .ink = settings.ink,
+                 .pens = drawing.pens,
+                 .registration = registration_of(settings, drawing),
+                 .tiles = drawing.tiles,
+                 .picture = drawing.picture,
+                 .cut_marks = drawing.cut_marks,
+                 .tile_size = drawing.tile_size,
+                 .figure8 = settings.placer == PlacerKind::figure8,
+                 .settings = drawing.settings};
+    if (settings.background) page.background = settings.paper;
+    const bool gcode = format == DrawingFormat::gcode;
+    if (gcode) {
+        check_heights(drawing.saving);
+        page.gcode = gcode_style_of(drawing.saving);
     }
+    // In a template of one's own they may begin otherwise.
+    if (is_touched(format) && !(gcode && !drawing.saving.gcode_template.text.empty()))
+        page.comments = machine_comments(settings, drawing, page.strokes, format);
+    return page;
 }
 
 }  // namespace dapple

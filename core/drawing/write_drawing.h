@@ -1,9 +1,7 @@
 #pragma once
-// A drawing as text: every kind of file that needs no library. PDF and pixels are written by io/files, which
-// has the libraries for them.
+// A drawing on its way into a file.
 
 #include <filesystem>
-#include <ostream>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -13,7 +11,6 @@
 #include "core/drawing/settings.h"
 #include "core/image/grid.h"
 #include "core/output/drawing_format.h"
-#include "core/output/progress.h"
 #include "core/output/sheet.h"
 
 namespace dapple {
@@ -71,19 +68,12 @@ DrawingToSave drawing_on(const DrawnPage& page, const PlannedDrawing& drawing, c
 /// 8 bits a channel, with the settings' ink and paper, of dots in the order given.
 Grid<glm::u8vec3> page_pixels(const DrawingSettings& settings, const DrawingToSave& drawing);
 
-/// The same for strokes.
-Grid<glm::u8vec3> page_pixels(const DrawingSettings& settings, const StrokeStream& strokes,
-                              std::span<const Pen> pens, const PageSize& page, double dpi);
-
 /// The resolution at which a page's longer side has so many pixels.
 double dpi_for(const PageSize& page, int longer_side);
 
-/// Whether write_text_drawing() writes it.
-bool is_text(DrawingFormat format);
-
-/// Into the stream, the dots in the order they come in. Throws if the format cannot hold such a drawing.
-void write_text_drawing(std::ostream& out, DrawingFormat format, const DrawingSettings& settings,
-                        const DrawingToSave& drawing, const WritingProgress& progress = {});
+/// What such a file shows of the drawing, which must outlive it; the dots come in their order. Throws if the
+/// format cannot hold such a drawing.
+InkPage ink_page(const DrawingSettings& settings, const DrawingToSave& drawing, DrawingFormat format);
 
 /// The crosses that each of several pens draws, if the settings ask for them.
 std::vector<CutMark> registration_of(const DrawingSettings& settings, const DrawingToSave& drawing);

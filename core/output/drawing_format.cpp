@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <stdexcept>
 #include <vector>
 
 namespace dapple {
@@ -24,32 +25,26 @@ std::optional<DrawingFormat> format_with_ending(std::string_view ending) {
     return std::nullopt;
 }
 
-bool has_pixels(DrawingFormat format) {
-    return format == DrawingFormat::png || format == DrawingFormat::tiff;
-}
-
-bool is_plotted(DrawingFormat format) {
-    return format == DrawingFormat::svg || format == DrawingFormat::dxf || is_touched(format);
-}
-
-bool is_touched(DrawingFormat format) {
-    return format == DrawingFormat::gcode || format == DrawingFormat::hpgl;
-}
-
-bool is_table(DrawingFormat format) {
-    return format == DrawingFormat::csv || format == DrawingFormat::json;
-}
-
-bool has_optional_paper(DrawingFormat format) {
-    return format == DrawingFormat::svg || format == DrawingFormat::pdf;
-}
-
-bool has_colours(DrawingFormat format) {
-    return has_pixels(format) || has_optional_paper(format);
-}
-
-bool is_binary(DrawingFormat format) {
-    return has_pixels(format) || format == DrawingFormat::pdf;
+void write_as(DrawingFormat format, std::ostream& out, const InkPage& page, const WritingProgress& progress) {
+    switch (format) {
+        case DrawingFormat::svg:
+            return write_svg(out, page, progress);
+        case DrawingFormat::csv:
+            return write_csv(out, page, progress);
+// The page in the browser saves none of these, and is to stay small.
+#ifndef DAPPLE_FOR_BROWSERS
+        case DrawingFormat::gcode:
+            return write_gcode(out, page, progress);
+        case DrawingFormat::hpgl:
+            return write_hpgl(out, page, progress);
+        case DrawingFormat::dxf:
+            return write_dxf(out, page, progress);
+        case DrawingFormat::json:
+            return write_dots_json(out, page, progress);
+#endif
+        default:
+            throw std::logic_error("no text");
+    }
 }
 
 }  // namespace dapple

@@ -1,5 +1,3 @@
-#include "core/output/dxf.h"
-
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -13,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/output/plotted.h"
+#include "core/output/drawing_format.h"
 #include "core/text/text_lines.h"
 
 namespace dapple {
@@ -149,12 +147,12 @@ std::vector<DxfLayer> layers_of(std::span<const Pen> pens, const char* single) {
     return layers;
 }
 
-class DxfText {
+class DxfWriter : public InkWriter {
  public:
-    explicit DxfText(std::ostream& out) : text_(out) {}
-
-    // Up to the first of the entities, which are on those layers.
-    void begin(const PageSize& page, std::span<const DxfLayer> layers) {
+    DxfWriter(std::ostream& out, const InkPage& page)
+        : text_(out),
+          height_mm_(page.size.height_mm),
+          layers_(layers_of(page.pens, page.strokes ? "Lines" : "Dots")) {
         text_ << "  0\nSECTION\n  2\nHEADER\n  9\n$ACADVER\n  1\nAC1015\n"
               << "  9\n$DWGCODEPAGE\n  3\nANSI_1252\n"
               << "  9\n$HANDSEED\n  5\nFFFFFFFF\n"  // above all handles
@@ -162,12 +160,12 @@ class DxfText {
               << "  9\n$MEASUREMENT\n 70\n1\n"      // metric
               << "  9\n$EXTMIN\n 10\n0.0\n 20\n0.0\n 30\n0.0\n"
               << "  9\n$EXTMAX\n 10\n";
-        text_.fixed(page.width_mm, kDxfDecimals) << "\n 20\n";
-        text_.fixed(page.height_mm, kDxfDecimals) << "\n 30\n0.0\n  0\nENDSEC\n";
-        text_ << kDxfTablesBegin << static_cast<std::int64_t>(layers.size() + 1) << '\n';
+        text_.fixed(page.size.width_mm, kDxfDecimals) << "\n 20\n";
+        text_.fixed(page.size.height_mm, kDxfDecimals) << "\n 30\n0.0\n  0\nENDSEC\n";
+        text_ << kDxfTablesBegin << static_cast<std::int64_t>(layers_.size() + 1) << '\n';
         text_ << "  0\nLAYER\n  5\n10\n";
         end_layer({"0"});
-        for (const DxfLayer& layer : layers) {
+        for (const DxfLayer& layer : layers_) {
             text_ << "  0\nLAYER\n";
             write_handle();
             end_layer(layer);
@@ -175,26 +173,28 @@ class DxfText {
         text_ << kDxfTablesEnd << kDxfBlocks << "  0\nSECTION\n  2\nENTITIES\n";
     }
 
-    void circle(glm::dvec2 middle, double radius, const DxfLayer& layer) {
-        begin_entity("CIRCLE", layer, "AcDbCircle");
-        place(middle);
+    void begin_pen(int number, const Pen&, double) override { layer_ = static_cast<std::size_t>(number); }
+
+    void dot(const InkDot& dot) override {
+        begin_entity("CIRCLE", "AcDbCircle");
+        place(dot.at);
         text_ << " 30\n0.0\n 40\n";
-        text_.fixed(std::max(radius, kLeastDxfRadiusMm), kDxfDecimals) << '\n';
+        text_.fixed(std::max(dot.radius_mm, kLeastDxfRadiusMm), kDxfDecimals) << '\n';
     }
 
-    void point(glm::dvec2 at, const DxfLayer& layer) {
-        begin_entity("POINT", layer, "AcDbPoint");
-        place(at);
-        text_ << " 30\n0.0\n";
-    }
-
-    void polyline(std::span<const glm::dvec2> points, const DxfLayer& layer) {
-        begin_entity("LWPOLYLINE", layer, "AcDbPolyline");
+    void stroke(std::span<const glm::dvec2> points) override {
+        if (points.size() == 1) {
+            begin_entity("POINT", "AcDbPoint");
+            place(points[0]);
+            text_ << " 30\n0.0\n";
+            return;
+        }
+        begin_entity("LWPOLYLINE", "AcDbPolyline");
         text_ << " 90\n" << static_cast<std::int64_t>(points.size()) << "\n 70\n0\n";
         for (const glm::dvec2 p : points) place(p);
     }
 
-    void end() {
+    void end() override {
         text_ << "  0\nENDSEC\n" << kDxfObjects;
         text_.flush();
     }
@@ -215,62 +215,32 @@ class DxfText {
               << std::int64_t{layer.colour} << "\n  6\nContinuous\n";
     }
 
-    void begin_entity(std::string_view kind, const DxfLayer& layer, std::string_view as) {
+    void begin_entity(std::string_view kind, std::string_view as) {
         text_ << "  0\n" << kind << '\n';
         write_handle();
-        text_ << "100\nAcDbEntity\n  8\n" << std::string_view(layer.name) << "\n100\n" << as << '\n';
+        text_ << "100\nAcDbEntity\n  8\n"
+              << std::string_view(layers_[layer_].name) << "\n100\n"
+              << as << '\n';
     }
 
     void place(glm::dvec2 p) {
         text_ << " 10\n";
         text_.fixed(p.x, kDxfDecimals) << "\n 20\n";
-        text_.fixed(p.y, kDxfDecimals) << '\n';
+        text_.fixed(height_mm_ - p.y, kDxfDecimals) << '\n';
     }
 
     TextBuffer text_;
+    double height_mm_;
+    std::vector<DxfLayer> layers_;
+    std::size_t layer_ = 0;  // of the pen that draws
     std::int64_t next_handle_ = kFirstDxfHandle;
 };
 
-// On each pen's layer.
-void write_marks_of(DxfText& text, const PageSize& page, std::span<const DxfLayer> layers,
-                    std::span<const CutMark> marks) {
-    const auto turned = [&](glm::dvec2 p) { return glm::dvec2(p.x, page.height_mm - p.y); };
-    for (const DxfLayer& layer : layers)
-        for (const CutMark& mark : marks)
-            text.polyline(std::array{turned(mark.from), turned(mark.to)}, layer);
-}
-
 }  // namespace
 
-void write_dxf(std::ostream& out, const DotStream& dots, const PageSize& page, double dot_radius_mm,
-               std::span<const Pen> pens, const WritingProgress& progress,
-               std::span<const CutMark> registration) {
-    DxfText text(out);
-    const std::vector<DxfLayer> layers = layers_of(pens, "Dots");
-    text.begin(page, layers);
-    if (!pens.empty()) write_marks_of(text, page, layers, registration);
-    for_each_plotted_dot(dots, page, dot_radius_mm, progress, [&](const PlottedDot& dot) {
-        const std::size_t pen = pens.empty() ? 0 : static_cast<std::size_t>(dot.pen);
-        text.circle({dot.x_mm, dot.y_mm}, dot.radius_mm, layers[pen]);
-    });
-    text.end();
-}
-
-void write_dxf(std::ostream& out, const StrokeStream& strokes, const PageSize& page,
-               std::span<const Pen> pens, const WritingProgress& progress,
-               std::span<const CutMark> registration) {
-    DxfText text(out);
-    const std::vector<DxfLayer> layers = layers_of(pens, "Lines");
-    text.begin(page, layers);
-    if (!pens.empty()) write_marks_of(text, page, layers, registration);
-    for_each_plotted_stroke(strokes, page, progress, [&](std::span<const glm::dvec2> points, int pen) {
-        const DxfLayer& layer = layers[pens.empty() ? 0 : static_cast<std::size_t>(pen)];
-        if (points.size() == 1)
-            text.point(points[0], layer);
-        else
-            text.polyline(points, layer);
-    });
-    text.end();
+void write_dxf(std::ostream& out, const InkPage& page, const WritingProgress& progress) {
+    DxfWriter writer(out, page);
+    write_ink(writer, page, progress);
 }
 
 }  // namespace dapple

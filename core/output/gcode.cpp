@@ -13,7 +13,7 @@
 #include <string_view>
 #include <utility>
 
-#include "core/output/plotted.h"
+#include "core/output/drawing_format.h"
 #include "core/text/number_words.h"
 #include "core/text/text_lines.h"
 
@@ -25,7 +25,53 @@ using Part = double PlottingTime::*;
 using To = MachineStep::To;
 using PieceKind = GcodePiece::Kind;
 
-constexpr double kPlaceGridMm = 0.001;  // places have three decimals
+constexpr int kGcodeDecimals = 3;
+constexpr int kDwellDecimals = 6;  // of seconds: not all machines round them as Grbl does
+constexpr double kPlaceGridMm = 0.001;
+
+// `dot`: from the page's lower left corner.
+double number_for(PieceKind kind, const GcodeStyle& style, const InkDot& dot) {
+    switch (kind) {
+        case PieceKind::x:
+            return dot.at.x;
+        case PieceKind::y:
+            return dot.at.y;
+        case PieceKind::radius:
+            return dot.radius_mm;
+        case PieceKind::feed:
+            return style.feed_mm_per_min;
+        case PieceKind::dwell:
+            return style.dwell_s;
+        case PieceKind::burn:
+            return burst_feed(style.dwell_s);
+        case PieceKind::up:
+            return style.heights.up;
+        case PieceKind::down:
+            return style.heights.down;
+        case PieceKind::power:
+            return style.laser_power;
+        case PieceKind::text:
+        case PieceKind::pen:
+        case PieceKind::name:
+            break;
+    }
+    return 0;
+}
+
+void write_number(TextBuffer& text, PieceKind kind, const GcodeStyle& style, const InkDot& dot) {
+    text.fixed(number_for(kind, style, dot), kind == PieceKind::dwell ? kDwellDecimals : kGcodeDecimals);
+}
+
+// What stands in a file for a piece that is of no place and no pen.
+std::string piece_text(const GcodePiece& piece, const GcodeStyle& style, double radius_mm) {
+    if (piece.kind == PieceKind::text) return piece.text;
+    if (piece.kind == PieceKind::pen || piece.kind == PieceKind::name) return "";
+    std::ostringstream out;
+    TextBuffer text(out);
+    write_number(text, piece.kind, style, {.at = {}, .radius_mm = radius_mm});
+    text.flush();
+    return out.str();
+}
 
 // In place of {x} and {y}, which are of the points.
 constexpr char kPointX = '\1', kPointY = '\2';
@@ -44,8 +90,8 @@ struct Line {
 
 class Reader {
  public:
-    Reader(GcodeProgram& result, const GcodeStyle& style, GcodeTool tool)
-        : result_(result), style_(style), tool_(tool) {}
+    Reader(GcodeProgram& result, const GcodeStyle& style, GcodeTool tool, double dot_radius_mm)
+        : result_(result), style_(style), tool_(tool), dot_radius_mm_(dot_radius_mm) {}
 
     // `part` is what its moves are counted as; of a dot, whatever each line says.
     MachineSteps steps(std::span<const GcodePiece> pieces, std::optional<Part> part) {
@@ -94,7 +140,7 @@ class Reader {
                 text += kPointY;
             else {
                 if (piece.kind == PieceKind::dwell && text.ends_with("G4 P")) result_.p_of_dwell = true;
-                text += gcode_text(piece, style_);
+                text += piece_text(piece, style_, dot_radius_mm_);
             }
         }
         return text;
@@ -183,18 +229,20 @@ class Reader {
     GcodeProgram& result_;
     const GcodeStyle& style_;
     GcodeTool tool_;
+    double dot_radius_mm_;
 };
 
 }  // namespace
 
-GcodeProgram program_of(const GcodeStyle& style, GcodeTool tool, double acceleration, const PageSize& page) {
+GcodeProgram program_of(const InkPage& page, GcodeTool tool, double acceleration) {
     GcodeProgram result;
+    const GcodeStyle style = page.gcode.value_or(GcodeStyle{});
     const GcodeTemplate& lines = style.lines;
     // The whole template first: M280 anywhere tells whose it is.
     for (const auto& each : {lines.start, lines.each_dot, lines.down, lines.up}) {
         for (const GcodePiece& piece : each) result.is_marlin |= piece.text.find("M280") != piece.text.npos;
     }
-    Reader reader(result, style, tool);
+    Reader reader(result, style, tool, page.dot_radius_mm);
     const Part moving = &PlottingTime::moving_s, lifting = &PlottingTime::lifting_s;
     MachineProgram& program = result.program;
     program = {.start = reader.steps(lines.start, moving),
@@ -212,24 +260,19 @@ GcodeProgram program_of(const GcodeStyle& style, GcodeTool tool, double accelera
                .look_ahead = kGrblLookAhead,
                .from_origin = true,
                .grid_mm = kPlaceGridMm,
-               .page_height_mm = page.height_mm,
-               .registration = {style.registration.begin(), style.registration.end()},
-               .several_pens = style.pens.size() > 1};
+               .page_height_mm = page.size.height_mm,
+               .registration = page.registration,
+               .several_pens = page.pens.size() > 1};
     constexpr double kPlaceBytes = 7;  // 123.456
     for (const GcodePiece& piece : lines.line)
         result.line_bytes += piece.kind == PieceKind::text ? static_cast<double>(piece.text.size())
                              : piece.kind == PieceKind::x || piece.kind == PieceKind::y
                                  ? kPlaceBytes
-                                 : static_cast<double>(gcode_text(piece, style).size());
+                                 : static_cast<double>(piece_text(piece, style, page.dot_radius_mm).size());
     return result;
 }
 
 namespace {
-
-using PieceKind = GcodePiece::Kind;
-
-constexpr int kGcodeDecimals = 3;
-constexpr int kDwellDecimals = 6;  // of seconds: not all machines round them as Grbl does
 
 // G21: millimetres; G90: places, not steps; G94: the feed in millimetres a minute.
 constexpr std::string_view kPenTemplate =
@@ -405,68 +448,7 @@ std::string comment_of(std::string name) {
     return name;
 }
 
-double number_for(PieceKind kind, const GcodeStyle& style, const PlottedDot& dot) {
-    switch (kind) {
-        case PieceKind::x:
-            return dot.x_mm;
-        case PieceKind::y:
-            return dot.y_mm;
-        case PieceKind::radius:
-            return dot.radius_mm;
-        case PieceKind::feed:
-            return style.feed_mm_per_min;
-        case PieceKind::dwell:
-            return style.dwell_s;
-        case PieceKind::burn:
-            return burst_feed(style.dwell_s);
-        case PieceKind::up:
-            return style.heights.up;
-        case PieceKind::down:
-            return style.heights.down;
-        case PieceKind::power:
-            return style.laser_power;
-        case PieceKind::text:
-        case PieceKind::pen:
-        case PieceKind::name:
-            break;
-    }
-    return 0;
-}
-
-void write_gcode_pieces(TextBuffer& text, std::span<const GcodePiece> pieces, const GcodeStyle& style,
-                        const PlottedDot& dot) {
-    for (const GcodePiece& piece : pieces) {
-        if (piece.kind == PieceKind::text)
-            text << std::string_view(piece.text);
-        else if (piece.kind == PieceKind::pen)
-            text << std::int64_t{dot.pen + 1};
-        else if (piece.kind == PieceKind::name)
-            text << std::string_view(comment_of(style.pens[static_cast<std::size_t>(dot.pen)].name));
-        else
-            text.fixed(number_for(piece.kind, style, dot),
-                       piece.kind == PieceKind::dwell ? kDwellDecimals : kGcodeDecimals);
-    }
-}
-
-void write_gcode_start(TextBuffer& text, const GcodeStyle& style) {
-    if (style.pens.size() > 1 && style.lines.pen.empty())
-        throw std::runtime_error(
-            "the template for G-code does not say how pens are changed; add a line that begins with pen, "
-            "such as pen M0");
-    for (const std::string& line : style.comments) text << "; " << line << '\n';
-    write_gcode_pieces(text, style.lines.start, style, {});
-}
-
 }  // namespace
-
-std::string gcode_text(const GcodePiece& piece, const GcodeStyle& style) {
-    std::ostringstream out;
-    TextBuffer text(out);
-    const PlottedDot no_dot{.radius_mm = style.dot_radius_mm};
-    if (!is_of_a_pen(piece.kind)) write_gcode_pieces(text, std::span(&piece, 1), style, no_dot);
-    text.flush();
-    return out.str();
-}
 
 GcodeHeights usual_heights(GcodeTool tool) {
     return tool == GcodeTool::servo ? GcodeHeights{20, 90} : GcodeHeights{};
@@ -529,71 +511,75 @@ GcodeTemplate parse_gcode_template(std::string_view text) {
 
 namespace {
 
-void write_gcode_stroke(TextBuffer& text, std::span<const glm::dvec2> points, double width_mm,
-                        const GcodeStyle& style) {
-    const GcodeTemplate& lines = style.lines;
-    const auto write = [&](std::span<const GcodePiece> pieces, glm::dvec2 p) {
-        write_gcode_pieces(text, pieces, style, {p.x, p.y, width_mm / 2});
-    };
-    if (points.size() == 1) return write(lines.each_dot, points[0]);
-    if (lines.line.empty())
-        throw std::runtime_error(
-            "the template for G-code does not say how to draw lines; add lines that begin with down, line "
-            "and up");
-    write(lines.move, points[0]);
-    write(lines.down, points[0]);
-    for (std::size_t i = 1; i < points.size(); ++i) write(lines.line, points[i]);
-    write(lines.up, points.back());
-}
-
-// Turns to another pen, if it is one.
-class GcodePen {
+class GcodeWriter : public InkWriter {
  public:
-    GcodePen(TextBuffer& text, const PageSize& page, const GcodeStyle& style)
-        : text_(text), page_(page), style_(style) {}
+    GcodeWriter(std::ostream& out, const InkPage& page)
+        : text_(out), page_(page), style_(page.gcode.value_or(GcodeStyle{})) {
+        if (page.pens.size() > 1 && lines_.pen.empty())
+            throw std::runtime_error(
+                "the template for G-code does not say how pens are changed; add a line that begins with pen, "
+                "such as pen M0");
+        for (const std::string& line : page.comments) text_ << "; " << line << '\n';
+        write(lines_.start);
+    }
 
-    void take(int pen) {
-        if (style_.pens.empty() || std::exchange(pen_, pen) == pen) return;
-        if (style_.pens.size() > 1) write_gcode_pieces(text_, style_.lines.pen, style_, {.pen = pen});
-        for (const CutMark& mark : style_.registration) {
-            const auto turned = [&](glm::dvec2 p) { return glm::dvec2(p.x, page_.height_mm - p.y); };
-            write_gcode_stroke(text_, std::array{turned(mark.from), turned(mark.to)}, 0, style_);
-        }
+    void begin_pen(int number, const Pen& pen, double width_mm) override {
+        pen_ = number;
+        pen_name_ = comment_of(pen.name);
+        width_mm_ = width_mm;
+        if (page_.pens.size() > 1) write(lines_.pen);
+    }
+
+    void dot(const InkDot& dot) override { write(lines_.each_dot, dot.at, dot.radius_mm); }
+
+    void stroke(std::span<const glm::dvec2> points) override {
+        const double radius_mm = width_mm_ / 2;
+        if (points.size() == 1) return write(lines_.each_dot, points[0], radius_mm);
+        if (lines_.line.empty())
+            throw std::runtime_error(
+                "the template for G-code does not say how to draw lines; add lines that begin with down, "
+                "line "
+                "and up");
+        write(lines_.move, points[0], radius_mm);
+        write(lines_.down, points[0], radius_mm);
+        for (const glm::dvec2 p : points.subspan(1)) write(lines_.line, p, radius_mm);
+        write(lines_.up, points.back(), radius_mm);
+    }
+
+    void end() override {
+        write(lines_.end);
+        text_.flush();
     }
 
  private:
-    TextBuffer& text_;
-    const PageSize& page_;
-    const GcodeStyle& style_;
-    int pen_ = -1;
+    void write(std::span<const GcodePiece> pieces, glm::dvec2 at = {}, double radius_mm = 0) {
+        const InkDot dot{.at = {at.x, page_.size.height_mm - at.y}, .radius_mm = radius_mm};
+        for (const GcodePiece& piece : pieces) {
+            if (piece.kind == PieceKind::text)
+                text_ << std::string_view(piece.text);
+            else if (piece.kind == PieceKind::pen)
+                text_ << std::int64_t{pen_ + 1};
+            else if (piece.kind == PieceKind::name)
+                text_ << std::string_view(pen_name_);
+            else
+                write_number(text_, piece.kind, style_, dot);
+        }
+    }
+
+    TextBuffer text_;
+    const InkPage& page_;
+    const GcodeStyle style_;
+    const GcodeTemplate& lines_ = style_.lines;
+    int pen_ = 0;  // that draws
+    std::string pen_name_;
+    double width_mm_ = 0;
 };
 
 }  // namespace
 
-void write_gcode(std::ostream& out, const DotStream& dots, const PageSize& page, const GcodeStyle& style,
-                 const WritingProgress& progress) {
-    TextBuffer text(out);
-    write_gcode_start(text, style);
-    GcodePen pen(text, page, style);
-    for_each_plotted_dot(dots, page, style.dot_radius_mm, progress, [&](const PlottedDot& dot) {
-        pen.take(dot.pen);
-        write_gcode_pieces(text, style.lines.each_dot, style, dot);
-    });
-    write_gcode_pieces(text, style.lines.end, style, {});
-    text.flush();
-}
-
-void write_gcode(std::ostream& out, const StrokeStream& strokes, const PageSize& page,
-                 const GcodeStyle& style, const WritingProgress& progress) {
-    TextBuffer text(out);
-    write_gcode_start(text, style);
-    GcodePen pen(text, page, style);
-    for_each_plotted_stroke(strokes, page, progress, [&](std::span<const glm::dvec2> points, int its_pen) {
-        pen.take(its_pen);
-        write_gcode_stroke(text, points, strokes.width_of(its_pen), style);
-    });
-    write_gcode_pieces(text, style.lines.end, style, {});
-    text.flush();
+void write_gcode(std::ostream& out, const InkPage& page, const WritingProgress& progress) {
+    GcodeWriter writer(out, page);
+    write_ink(writer, page, progress);
 }
 
 }  // namespace dapple

@@ -25,22 +25,16 @@
 // radius; {feed}, {dwell}, {up}, {down} and {power} are numbers of GcodeStyle. {burn} is the feed at which
 // kBurstMm take as long as the dwell.
 
-#include <ostream>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/output/plotting_time.h"
-#include "core/output/progress.h"
-#include "core/output/sheet.h"
-#include "core/pens/pen.h"
-#include "core/placing/dot_stream.h"
-#include "core/placing/page.h"
-#include "core/strokes/strokes.h"
 #include "core/text/names.h"
 
 namespace dapple {
+
+struct InkPage;
 
 enum class GcodeTool {
     pen,    // moved up and down by the Z axis
@@ -105,23 +99,7 @@ struct GcodeStyle {
     double dwell_s = 0.1;
     GcodeHeights heights = {};
     double laser_power = 250;  // the S of its M3 or M4: of Grbl's usual 1000 ($30), a quarter
-    std::span<const std::string> comments = {};  // a line each, before all others
-    double dot_radius_mm = 0;                    // where dots have none of their own
-    std::span<const Pen> pens = {};              // one is in the machine as it begins; none: it has no name
-    std::span<const CutMark> registration = {};  // registration_marks(): lines that each of these draws
 };
-
-/// What stands in a file for a piece that is of no dot and no pen: a text, or a number of the style.
-std::string gcode_text(const GcodePiece& piece, const GcodeStyle& style);
-
-/// Throws std::runtime_error if several pens draw and the template has no lines for them. Lengths have three
-/// decimals at most. Needs the memory of a piece and a buffer.
-void write_gcode(std::ostream& out, const DotStream& dots, const PageSize& page, const GcodeStyle& style,
-                 const WritingProgress& progress = {});
-
-/// The same for strokes; a touch is a dot. Throws std::runtime_error if the template has no lines for them.
-void write_gcode(std::ostream& out, const StrokeStream& strokes, const PageSize& page,
-                 const GcodeStyle& style, const WritingProgress& progress = {});
 
 // What a machine does that reads G-code of some style: its template's lines, read as the machine reads them.
 
@@ -135,7 +113,8 @@ struct GcodeProgram {
 };
 
 /// Reads G0, G1, G4, G90, G91, F, X, Y, Z, and M words, all of which wait until the machine rests.
-/// A Z axis moves at the same acceleration. G4 P is rounded as Grbl does it, G4 S is as it stands.
-GcodeProgram program_of(const GcodeStyle& style, GcodeTool tool, double acceleration, const PageSize& page);
+/// A Z axis moves at the same acceleration. G4 P is rounded as Grbl does it, G4 S is as it stands. Of the
+/// page count its size, its pens with their registration, its style and the radius of all dots.
+GcodeProgram program_of(const InkPage& page, GcodeTool tool, double acceleration);
 
 }  // namespace dapple

@@ -77,21 +77,12 @@ Grid<float> band_of_strokes(const StrokeCanvas& canvas, int band, std::span<cons
     return samples.coverage(canvas.size.width);
 }
 
-}  // namespace
-
-void rasterise(const StrokeStream& strokes, const PageSize& page, const RasterRequest& request,
-               const CoverageSink& sink) {
-    rasterise_pens(strokes, page, request, 1,
-                   [&](int first_row, std::span<const Grid<float>> band) { sink(first_row, band[0]); });
-}
-
-void rasterise_pens(const StrokeStream& strokes, const PageSize& page, const RasterRequest& request,
-                    std::size_t pens, const PenCoverageSink& sink) {
-    const RasterSize size = raster_size(page, request.dpi);
-    const double samples_per_mm = request.dpi / kMmPerInch * kSamples;
-    const StrokeCanvas canvas{.strokes = strokes,
+void rasterise_strokes(const InkPage& page, std::size_t pens, const RasterRequest& request,
+                       const CoverageSink& sink) {
+    const RasterSize size = raster_size(page.size, request.dpi);
+    const StrokeCanvas canvas{.strokes = *page.strokes,
                               .size = size,
-                              .samples_per_mm = samples_per_mm,
+                              .samples_per_mm = request.dpi / kMmPerInch * kSamples,
                               .band_rows = rows_of_a_band(size.width)};
     std::vector<std::uint64_t> counts(canvas.bands(), 0);
     canvas.for_each_line([&](const SampledLine&, int first, int last) {
@@ -120,17 +111,6 @@ void rasterise_pens(const StrokeStream& strokes, const PageSize& page, const Ras
         next = end;
     }
 }
-
-Grid<float> coverage_of(const StrokeStream& strokes, const PageSize& page, const RasterRequest& request) {
-    const RasterSize size = raster_size(page, request.dpi);
-    Grid<float> whole(size.width, size.height);
-    rasterise(strokes, page, request, [&](int first_row, const Grid<float>& band) {
-        std::ranges::copy(band.values, whole.row(first_row));
-    });
-    return whole;
-}
-
-namespace {
 
 constexpr double kLargestSide = 1'000'000;
 constexpr double kMostPixels = 4e9;
@@ -229,6 +209,28 @@ Grid<float> draw_band(const Canvas& canvas, const Stretch& stretch, int i, std::
     return samples.coverage(canvas.size.width);
 }
 
+void rasterise_dots(const InkPage& page, std::size_t pens, const RasterRequest& request,
+                    const CoverageSink& sink) {
+    const RasterSize size = raster_size(page.size, request.dpi);
+    const double px_per_mm = request.dpi / kMmPerInch;
+    const Canvas canvas{.dots = page.dots,
+                        .size = size,
+                        .px_per_unit = page.size.mm_per_page_unit * px_per_mm,
+                        .radius = page.dot_radius_mm * px_per_mm,
+                        .band_rows = rows_of_a_band(size.width)};
+    const std::vector<std::uint64_t> counts = dots_in_bands(canvas);
+    for (int next_band = 0; next_band < canvas.bands();) {
+        const Stretch stretch = stretch_from(next_band, canvas, counts, request.dots_at_once);
+        hand_over_bands(
+            {.count = stretch.bands(), .pens = pens, .threads = request.threads},
+            [&](int i, std::size_t pen) { return draw_band(canvas, stretch, i, pen); },
+            [&](int i, std::span<const Grid<float>> band) {
+                sink((next_band + i) * canvas.band_rows, band);
+            });
+        next_band += stretch.bands();
+    }
+}
+
 // To two digits, which people can type and which stay below.
 double rounded_down(double value) {
     const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1);
@@ -280,39 +282,16 @@ RasterSize raster_size(const PageSize& page, double dpi) {
     return {std::max(static_cast<int>(width), 1), std::max(static_cast<int>(height), 1)};
 }
 
-void rasterise(const DotStream& dots, const PageSize& page, const RasterRequest& request,
-               const CoverageSink& sink) {
-    rasterise_pens(dots, page, request, 1,
-                   [&](int first_row, std::span<const Grid<float>> band) { sink(first_row, band[0]); });
+void rasterise(const InkPage& page, const RasterRequest& request, const CoverageSink& sink) {
+    const std::size_t pens = std::max<std::size_t>(page.pens.size(), 1);
+    (page.strokes ? rasterise_strokes : rasterise_dots)(page, pens, request, sink);
 }
 
-void rasterise_pens(const DotStream& dots, const PageSize& page, const RasterRequest& request,
-                    std::size_t pens, const PenCoverageSink& sink) {
-    const RasterSize size = raster_size(page, request.dpi);
-    const double px_per_mm = request.dpi / kMmPerInch;
-    const Canvas canvas{.dots = dots,
-                        .size = size,
-                        .px_per_unit = page.mm_per_page_unit * px_per_mm,
-                        .radius = request.dot_radius_mm * px_per_mm,
-                        .band_rows = rows_of_a_band(size.width)};
-    const std::vector<std::uint64_t> counts = dots_in_bands(canvas);
-    for (int next_band = 0; next_band < canvas.bands();) {
-        const Stretch stretch = stretch_from(next_band, canvas, counts, request.dots_at_once);
-        hand_over_bands(
-            {.count = stretch.bands(), .pens = pens, .threads = request.threads},
-            [&](int i, std::size_t pen) { return draw_band(canvas, stretch, i, pen); },
-            [&](int i, std::span<const Grid<float>> band) {
-                sink((next_band + i) * canvas.band_rows, band);
-            });
-        next_band += stretch.bands();
-    }
-}
-
-Grid<float> coverage_of(const DotStream& dots, const PageSize& page, const RasterRequest& request) {
-    const RasterSize size = raster_size(page, request.dpi);
+Grid<float> coverage_of(const InkPage& page, const RasterRequest& request) {
+    const RasterSize size = raster_size(page.size, request.dpi);
     Grid<float> whole(size.width, size.height);
-    rasterise(dots, page, request, [&](int first_row, const Grid<float>& band) {
-        std::ranges::copy(band.values, whole.row(first_row));
+    rasterise(page, request, [&](int first_row, std::span<const Grid<float>> band) {
+        std::ranges::copy(band[0].values, whole.row(first_row));
     });
     return whole;
 }

@@ -1,9 +1,9 @@
 #pragma once
-// Dots as pixels, anti-aliased, without a graphics card.
+// Ink as pixels, anti-aliased, without a graphics card.
 //
-// A pixel's coverage is the share of its 16 x 16 sample points that lie in any dot: dots that overlap unite,
-// they do not add up. Ink and paper are mixed in linear light, so that a half covered pixel is as light as
-// one that is half ink and half paper.
+// A pixel's coverage is the share of its 16 x 16 sample points that lie in any dot, or that a pen with a
+// round end has gone over: dots and strokes that overlap unite, they do not add up. Ink and paper are mixed
+// in linear light, so that a half covered pixel is as light as one that is half ink and half paper.
 
 #include <functional>
 #include <glm/gtc/type_precision.hpp>
@@ -11,10 +11,7 @@
 #include <span>
 
 #include "core/image/grid.h"
-#include "core/pens/pen.h"
-#include "core/placing/dot_stream.h"
-#include "core/placing/page.h"
-#include "core/strokes/strokes.h"
+#include "core/output/ink.h"
 
 namespace dapple {
 
@@ -28,29 +25,24 @@ struct RasterSize {
 RasterSize raster_size(const PageSize& page, double dpi);
 
 struct RasterRequest {
-    double dot_radius_mm = 0;  // the largest, where dots have radii of their own
     double dpi = 300;
     int threads = 1;  // the result is the same for any number; 0: all cores
-    std::uint64_t dots_at_once = std::uint64_t{1}
-                                 << 24;  // in memory, 8 bytes each; nor has it a say in the result
+    // In memory, 8 bytes each, or lines of strokes, 32 bytes each; nor has it a say in the result.
+    std::uint64_t dots_at_once = std::uint64_t{1} << 24;
 };
 
-/// A stretch of rows, the first of which is row `first_row` of the whole: coverage 0..1.
-using CoverageSink = std::function<void(int first_row, const Grid<float>& coverage)>;
+/// A stretch of rows, the first of which is row `first_row` of the whole: coverage 0..1, by each of the
+/// page's pens, or by the single one.
+using CoverageSink = std::function<void(int first_row, std::span<const Grid<float>> coverage)>;
 
-/// Draws the page in bands, from the top down, each handed to the sink in turn; so a picture of any size, of
-/// any number of dots, needs little memory. Goes through the dots once to count them, and then once for each
-/// stretch of bands that have request.dots_at_once dots together.
-void rasterise(const DotStream& dots, const PageSize& page, const RasterRequest& request,
-               const CoverageSink& sink);
+/// Draws the page's dots or strokes in bands, from the top down, each handed to the sink in turn; so a
+/// picture of any size, of any number of dots, needs little memory. InkPage::dot_radius_mm is that of the
+/// largest where dots have radii of their own. Goes through the ink once to count it, and then once for each
+/// stretch of bands that have request.dots_at_once dots or lines together.
+void rasterise(const InkPage& page, const RasterRequest& request, const CoverageSink& sink);
 
-/// The same for dots of several pens, so many: a coverage for each.
-using PenCoverageSink = std::function<void(int first_row, std::span<const Grid<float>> coverage)>;
-void rasterise_pens(const DotStream& dots, const PageSize& page, const RasterRequest& request,
-                    std::size_t pens, const PenCoverageSink& sink);
-
-/// All bands in one, for dots in memory.
-Grid<float> coverage_of(const DotStream& dots, const PageSize& page, const RasterRequest& request);
+/// All bands in one, of a single pen.
+Grid<float> coverage_of(const InkPage& page, const RasterRequest& request);
 
 /// sRGB-encoded pixels of that coverage, of 8 or 16 bits a channel. The colours are sRGB-encoded too.
 template <class Channel = std::uint8_t>
@@ -62,19 +54,12 @@ template <class Channel = std::uint8_t>
 Grid<glm::vec<3, Channel>> ink_on_paper(std::span<const Grid<float>> coverage, std::span<const Pen> pens,
                                         glm::vec3 paper);
 
-// Strokes as pixels, as core/output/raster.h has it for dots: a pixel's coverage is the share of its sample
-// points that a pen of that width, with round ends, has gone over.
-
-/// Draws the page in bands as rasterise() does of dots; request.dots_at_once is of lines here, 32 bytes each,
-/// and the radius has no say.
-void rasterise(const StrokeStream& strokes, const PageSize& page, const RasterRequest& request,
-               const CoverageSink& sink);
-
-/// The same for strokes of several pens, so many: a coverage for each.
-void rasterise_pens(const StrokeStream& strokes, const PageSize& page, const RasterRequest& request,
-                    std::size_t pens, const PenCoverageSink& sink);
-
-/// All bands in one.
-Grid<float> coverage_of(const StrokeStream& strokes, const PageSize& page, const RasterRequest& request);
+/// The same for whichever pens the page has.
+template <class Channel = std::uint8_t>
+Grid<glm::vec<3, Channel>> ink_on_paper(std::span<const Grid<float>> coverage, const InkPage& page,
+                                        glm::vec3 paper) {
+    return page.pens.empty() ? ink_on_paper<Channel>(coverage[0], page.ink, paper)
+                             : ink_on_paper<Channel>(coverage, page.pens, paper);
+}
 
 }  // namespace dapple

@@ -1,12 +1,10 @@
-#include "core/output/svg.h"
-
 #include <algorithm>
 #include <glm/common.hpp>
 #include <map>
 #include <string>
 #include <vector>
 
-#include "core/output/plotted.h"
+#include "core/output/drawing_format.h"
 #include "core/text/length.h"
 #include "core/text/text_lines.h"
 
@@ -14,225 +12,180 @@ namespace dapple {
 namespace {
 
 constexpr double kPxPerMm = 96.0 / kMmPerInch;
-constexpr double kUsualMarkMm = 0.3;  // of a pen whose width is not told
+constexpr double kLeastPx = 0.001;  // of what is not to be dropped
+constexpr double kTouchMm = 0.05;
+constexpr double kCutMarkMm = 0.4 / kPxPerMm;
 
 // Two decimals, 0.0026 mm, are enough until the dots' mean spacing comes near a pixel.
-int decimals_for(std::uint64_t dots, const PageSize& page) {
-    const double area = page.width_mm * page.height_mm * kPxPerMm * kPxPerMm;
+int decimals_for(const InkPage& page) {
+    const std::uint64_t dots = page.strokes ? page.strokes->points : page.dots.count;
+    const double area = page.size.width_mm * page.size.height_mm * kPxPerMm * kPxPerMm;
     return static_cast<double>(dots) * 4 < area ? 2 : 3;
 }
 
-// Not to be drawn by a plotter: AxiDraw's software skips layers whose names begin so.
-void begin_unplotted_layer(TextBuffer& text, std::string_view name, std::string_view id) {
-    text << R"(<g inkscape:groupmode="layer" inkscape:label="% )" << name << R"(" id=")" << id << '"';
-}
-
-void begin_layer(TextBuffer& text, int number, std::string_view label, PenInk ink = PenInk::opaque) {
-    text << R"(<g inkscape:groupmode="layer" inkscape:label=")" << std::int64_t{number} << ' ' << label
-         << R"(" id="layer)" << std::int64_t{number} << '"';
-    if (ink == PenInk::transparent) text << R"( style="mix-blend-mode:multiply")";
-}
-
-// Above nothing but the paper.
-Pen only_pen(glm::vec3 ink) {
-    return {.name = pen_name(ink), .colour = ink, .ink = PenInk::opaque};
-}
-
-void write_marks(TextBuffer& text, std::span<const CutMark> marks) {
-    for (const CutMark& mark : marks) {
-        text << R"(<path d="M)";
-        text.fixed(mark.from.x * kPxPerMm, 3) << ' ';
-        text.fixed(mark.from.y * kPxPerMm, 3) << 'L';
-        text.fixed(mark.to.x * kPxPerMm, 3) << ' ';
-        text.fixed(mark.to.y * kPxPerMm, 3) << "\"/>\n";
-    }
-}
-
-void write_dots(TextBuffer& text, const DotStream& dots, const PageSize& page, const SvgStyle& style,
-                const WritingProgress& progress) {
-    const int decimals = decimals_for(dots.count, page);
-    const double px_per_unit = page.mm_per_page_unit * kPxPerMm;
-    const auto in_px = [](double radius_mm) { return std::max(radius_mm * kPxPerMm, 0.001); };
-    const double radius = in_px(style.dot_radius_mm);
-    const auto begin_pen = [&](int number, const Pen& pen) {
-        begin_layer(text, number, pen.name, pen.ink);
-        text << R"( fill=")" << hex_of(pen.colour) << R"(" stroke="none">)" << '\n';
-    };
-    int layer = -1;  // the pen whose layer is open
-    if (style.pens.empty()) begin_pen(1, only_pen(style.ink));
-    DotsReport report(dots.count, page, progress);
-    dots.for_each_piece([&](const Dots& piece) {
-        if (!style.pens.empty() && piece.pen != layer) {
-            if (layer >= 0) text << "</g>\n";
-            layer = piece.pen;
-            const Pen& pen = style.pens[static_cast<std::size_t>(layer)];
-            begin_pen(layer + 1, pen);
-            if (!style.registration.empty()) {
-                text << R"(<g fill="none" stroke=")" << hex_of(pen.colour) << R"(" stroke-width=")";
-                text.fixed((pen.width_mm > 0 ? pen.width_mm : kUsualMarkMm) * kPxPerMm, 3) << "\">\n";
-                write_marks(text, style.registration);
-                text << "</g>\n";
-            }
-        }
-        for (std::size_t i = 0; i < piece.size(); ++i) {
-            const double own_mm = piece.radius.empty() ? 0 : piece.radius[i] * page.mm_per_page_unit;
-            report.next(piece.x[i] * page.mm_per_page_unit, piece.y[i] * page.mm_per_page_unit, own_mm);
-            text << R"(<circle cx=")";
-            text.fixed(piece.x[i] * px_per_unit, decimals);
-            text << R"(" cy=")";
-            text.fixed(piece.y[i] * px_per_unit, decimals);
-            text << R"(" r=")";
-            text.fixed(piece.radius.empty() ? radius : in_px(own_mm), 3);
-            text << "\"/>\n";
-        }
-        return true;
-    });
-    if (style.pens.empty() || layer >= 0) text << "</g>\n";
-}
-
-void write_strokes(TextBuffer& text, const StrokeStream& strokes, const PageSize& page, const SvgStyle& style,
-                   const WritingProgress& progress) {
-    constexpr double kTouchMm = 0.05;
-    const int decimals = decimals_for(strokes.points, page);
-    const auto begin_pen = [&](int number, const Pen& pen) {
-        begin_layer(text, number + 1, pen.name, pen.ink);
-        text << R"( fill="none" stroke=")" << hex_of(pen.colour) << R"(" stroke-width=")";
-        text.fixed(std::max(strokes.width_of(number) * kPxPerMm, 0.001), 3);
-        text << R"(" stroke-linecap="round" stroke-linejoin="round">)" << '\n';
-        if (!style.pens.empty()) write_marks(text, style.registration);
-    };
-    int layer = -1;  // the pen whose layer is open
-    if (style.pens.empty()) begin_pen(0, only_pen(style.ink));
-    const auto number = [&](double mm) { text.fixed(mm * kPxPerMm, decimals); };
-    for_each_stroke(strokes, page, progress, [&](std::span<const glm::dvec2> points, int its_pen) {
-        if (!style.pens.empty() && its_pen != layer) {
-            if (layer >= 0) text << "</g>\n";
-            layer = its_pen;
-            begin_pen(layer, style.pens[static_cast<std::size_t>(layer)]);
-        }
-        text << R"(<path d="M)";
-        const bool touch = points.size() == 1;
-        number(points[0].x - (touch ? kTouchMm / 2 : 0));
-        text << ' ';
-        number(points[0].y);
-        if (touch) {
-            text << 'h';
-            text.fixed(kTouchMm * kPxPerMm, 3);
-        }
-        // A line of text ends now and then, as some readers have a limit.
-        for (std::size_t i = 1; i < points.size(); ++i) {
-            text << (i == 1 ? 'L' : i % 16 == 1 ? '\n' : ' ');
-            number(points[i].x);
-            text << ' ';
-            number(points[i].y);
-        }
-        text << "\"/>\n";
-    });
-    if (style.pens.empty() || layer >= 0) text << "</g>\n";
-}
-
 // The part of the picture that is on the page, in px.
-Rectangle<double> drawn_area(const PageSize& page, const std::optional<Rectangle<double>>& picture) {
-    const double px_per_unit = page.mm_per_page_unit * kPxPerMm;
-    const Rectangle<double> area{{0, 0}, glm::dvec2(page.width_mm, page.height_mm) * kPxPerMm};
-    if (!picture) return area;
-    return {glm::max(area.low, picture->low * px_per_unit), glm::min(area.high, picture->high * px_per_unit)};
+Rectangle<double> drawn_area(const InkPage& page) {
+    const double px_per_unit = page.size.mm_per_page_unit * kPxPerMm;
+    const Rectangle<double> area{{0, 0}, glm::dvec2(page.size.width_mm, page.size.height_mm) * kPxPerMm};
+    if (!page.picture) return area;
+    return {glm::max(area.low, page.picture->low * px_per_unit),
+            glm::min(area.high, page.picture->high * px_per_unit)};
 }
 
-Rectangle<double> outline_of(const PlacedTile& tile, double px_per_unit) {
-    const glm::dvec2 corner(tile.x, tile.y);
-    return {corner * px_per_unit, (corner + tile.side) * px_per_unit};
-}
-
-void write_tiles(TextBuffer& text, std::span<const PlacedTile> tiles, const PageSize& page,
-                 const Rectangle<double>& area) {
-    const double px_per_unit = page.mm_per_page_unit * kPxPerMm;
-    // Tiles cover a square, the picture need not be one and a part of it may be on the page: what lies over
-    // the edges is cut off, and an outline that lies all around is none.
+// In px, by level. Tiles cover a square, the picture need not be one and a part of it may be on the page:
+// what lies over the edges is cut off, and an outline that lies all around is none.
+std::map<int, std::vector<Rectangle<double>>> outlines_of(const InkPage& page) {
+    const double px_per_unit = page.size.mm_per_page_unit * kPxPerMm;
+    const Rectangle<double> area = drawn_area(page);
     std::map<int, std::vector<Rectangle<double>>> by_level;
-    for (const PlacedTile& tile : tiles) {
-        const Rectangle<double> outline = outline_of(tile, px_per_unit);
+    for (const PlacedTile& tile : page.tiles) {
+        const glm::dvec2 corner(tile.x, tile.y);
+        const Rectangle<double> outline{corner * px_per_unit, (corner + tile.side) * px_per_unit};
         const bool around = outline.low.x < area.low.x && outline.low.y < area.low.y &&
                             outline.high.x > area.high.x && outline.high.y > area.high.y;
         if (overlap(outline, area) && !around)
             by_level[tile.level].push_back(
                 {glm::max(outline.low, area.low), glm::min(outline.high, area.high)});
     }
-    begin_unplotted_layer(text, "Tiles", "tiles");
-    text << R"( fill="none" stroke-width="0.3">)" << '\n';
-    // Finest first: the coarse ones lie on top, so that every line shows the coarsest level that it bounds.
-    for (auto level = by_level.rbegin(); level != by_level.rend(); ++level) {
-        text << R"(<g id="level)" << std::int64_t{level->first} << R"(" stroke=")"
-             << hex_of(level_colour(level->first)) << "\">\n";
-        for (const Rectangle<double>& outline : level->second) {
-            text << R"(<rect x=")";
-            text.fixed(outline.low.x, 3);
-            text << R"(" y=")";
-            text.fixed(outline.low.y, 3);
-            text << R"(" width=")";
-            text.fixed(outline.size().x, 3);
-            text << R"(" height=")";
-            text.fixed(outline.size().y, 3);
-            text << "\"/>\n";
+    return by_level;
+}
+
+class SvgWriter : public InkWriter {
+ public:
+    SvgWriter(std::ostream& out, const InkPage& page)
+        : text_(out), page_(page), decimals_(decimals_for(page)) {
+        text_
+            << R"(<?xml version="1.0" encoding="UTF-8"?>)"
+            << "\n"
+            << R"(<svg xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape")"
+            << R"( version="1.1" width=")";
+        const glm::dvec2 size(page.size.width_mm, page.size.height_mm);
+        text_.fixed(size.x, 4) << R"(mm" height=")";
+        text_.fixed(size.y, 4) << R"(mm" viewBox="0 0 )";
+        text_.fixed(size.x * kPxPerMm, 4) << ' ';
+        text_.fixed(size.y * kPxPerMm, 4) << "\">\n";
+        if (!page.settings.empty()) {
+            text_ << "<metadata><" << kSvgSettingsElement << R"( xmlns:dapple="urn:x-dapple:settings">)"
+                  << page.settings << "</" << kSvgSettingsElement << "></metadata>\n";
         }
-        text << "</g>\n";
+        if (page.background) {
+            begin_layer("% Background", "background");
+            text_ << R"(><rect width="100%" height="100%" fill=")" << hex_of(*page.background)
+                  << "\"/></g>\n";
+        }
     }
-    text << "</g>\n";
-}
 
-void write_cut_marks(TextBuffer& text, std::span<const CutMark> marks, int layer) {
-    begin_layer(text, layer, "Cut marks");
-    text << R"( fill="none" stroke="#000000" stroke-width="0.4">)" << '\n';
-    write_marks(text, marks);
-    text << "</g>\n";
-}
+    void begin_pen(int number, const Pen& pen, double width_mm) override {
+        end_layer();
+        in_layer_ = true;
+        const std::string counted = std::to_string(number + 1);
+        begin_layer(counted + ' ' + pen.name, "layer" + counted);
+        if (pen.ink == PenInk::transparent) text_ << R"( style="mix-blend-mode:multiply")";
+        colour_ = hex_of(pen.colour);
+        width_px_ = std::max(width_mm * kPxPerMm, kLeastPx);
+        if (page_.strokes) {
+            write_line_style();
+            text_ << R"( stroke-linecap="round" stroke-linejoin="round">)" << '\n';
+        } else {
+            text_ << R"( fill=")" << std::string_view(colour_) << R"(" stroke="none">)" << '\n';
+        }
+    }
 
-// The file, with what write_ink() puts into its first layers.
-template <class WriteInk>
-void write_svg_file(std::ostream& out, const PageSize& page, const SvgStyle& style,
-                    const WriteInk& write_ink) {
-    TextBuffer text(out);
-    text
-        << R"(<?xml version="1.0" encoding="UTF-8"?>)"
-        << "\n"
-        << R"(<svg xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape")"
-        << R"( version="1.1" width=")";
-    text.fixed(page.width_mm, 4);
-    text << R"(mm" height=")";
-    text.fixed(page.height_mm, 4);
-    text << R"(mm" viewBox="0 0 )";
-    text.fixed(page.width_mm * kPxPerMm, 4);
-    text << ' ';
-    text.fixed(page.height_mm * kPxPerMm, 4);
-    text << "\">\n";
-    if (!style.settings.empty()) {
-        text << "<metadata><" << kSvgSettingsElement << R"( xmlns:dapple="urn:x-dapple:settings">)"
-             << style.settings << "</" << kSvgSettingsElement << "></metadata>\n";
+    void dot(const InkDot& dot) override {
+        text_ << "<circle";
+        attribute("cx", dot.at.x * kPxPerMm, decimals_);
+        attribute("cy", dot.at.y * kPxPerMm, decimals_);
+        attribute("r", std::max(dot.radius_mm * kPxPerMm, kLeastPx), 3);
+        text_ << "/>\n";
     }
-    if (style.background) {
-        begin_unplotted_layer(text, "Background", "background");
-        text << R"(><rect width="100%" height="100%" fill=")" << hex_of(*style.background) << "\"/></g>\n";
+
+    void stroke(std::span<const glm::dvec2> points) override {
+        text_ << "<path";
+        if (!page_.strokes) write_line_style();  // the layer's is of dots
+        text_ << R"( d="M)";
+        const bool touch = points.size() == 1;
+        place(touch ? points[0] - glm::dvec2(kTouchMm / 2, 0) : points[0]);
+        if (touch) (text_ << 'h').fixed(kTouchMm * kPxPerMm, 3);
+        // A line of text ends now and then, as some readers have a limit.
+        for (std::size_t i = 1; i < points.size(); ++i) {
+            text_ << (i == 1 ? 'L' : i % 16 == 1 ? '\n' : ' ');
+            place(points[i]);
+        }
+        text_ << "\"/>\n";
     }
-    write_ink(text);
-    if (!style.tiles.empty()) write_tiles(text, style.tiles, page, drawn_area(page, style.picture));
-    const int layer = style.pens.empty() ? 2 : static_cast<int>(style.pens.size()) + 1;
-    if (!style.cut_marks.empty()) write_cut_marks(text, style.cut_marks, layer);
-    text << "</svg>\n";
-    text.flush();
-}
+
+    void end() override {
+        end_layer();
+        if (!page_.tiles.empty()) write_tiles();
+        if (!page_.cut_marks.empty()) {
+            const int layer = std::max<int>(static_cast<int>(page_.pens.size()), 1);
+            begin_pen(layer, {.name = "Cut marks", .ink = PenInk::opaque}, kCutMarkMm);
+            write_marks(*this, page_.cut_marks);
+            end_layer();
+        }
+        text_ << "</svg>\n";
+        text_.flush();
+    }
+
+ private:
+    void begin_layer(std::string_view label, std::string_view id) {
+        text_ << R"(<g inkscape:groupmode="layer" inkscape:label=")" << label << R"(" id=")" << id << '"';
+    }
+
+    void end_layer() {
+        if (in_layer_) text_ << "</g>\n";
+        in_layer_ = false;
+    }
+
+    // Finest first: the coarse ones lie on top, so that every line shows the coarsest level that it bounds.
+    void write_tiles() {
+        begin_layer("% Tiles", "tiles");
+        text_ << R"( fill="none" stroke-width="0.3">)" << '\n';
+        const auto by_level = outlines_of(page_);
+        for (auto level = by_level.rbegin(); level != by_level.rend(); ++level) {
+            text_ << R"(<g id="level)" << std::int64_t{level->first} << R"(" stroke=")"
+                  << hex_of(level_colour(level->first)) << "\">\n";
+            for (const Rectangle<double>& outline : level->second) {
+                text_ << "<rect";
+                attribute("x", outline.low.x, 3);
+                attribute("y", outline.low.y, 3);
+                attribute("width", outline.size().x, 3);
+                attribute("height", outline.size().y, 3);
+                text_ << "/>\n";
+            }
+            text_ << "</g>\n";
+        }
+        text_ << "</g>\n";
+    }
+
+    void write_line_style() {
+        text_ << R"( fill="none" stroke=")" << std::string_view(colour_) << '"';
+        attribute("stroke-width", width_px_, 3);
+    }
+
+    void attribute(std::string_view name, double value, int decimals) {
+        text_ << ' ' << name << "=\"";
+        text_.fixed(value, decimals) << '"';
+    }
+
+    void place(glm::dvec2 at_mm) {
+        text_.fixed(at_mm.x * kPxPerMm, decimals_) << ' ';
+        text_.fixed(at_mm.y * kPxPerMm, decimals_);
+    }
+
+    TextBuffer text_;
+    const InkPage& page_;
+    int decimals_;
+    bool in_layer_ = false;
+    std::string colour_;  // of the pen that draws
+    double width_px_ = 0;
+};
 
 }  // namespace
 
-void write_svg(std::ostream& out, const DotStream& dots, const PageSize& page, const SvgStyle& style,
-               const WritingProgress& progress) {
-    write_svg_file(out, page, style,
-                   [&](TextBuffer& text) { write_dots(text, dots, page, style, progress); });
-}
-
-void write_svg(std::ostream& out, const StrokeStream& strokes, const PageSize& page, const SvgStyle& style,
-               const WritingProgress& progress) {
-    write_svg_file(out, page, style,
-                   [&](TextBuffer& text) { write_strokes(text, strokes, page, style, progress); });
+void write_svg(std::ostream& out, const InkPage& page, const WritingProgress& progress) {
+    SvgWriter writer(out, page);
+    write_ink(writer, page, progress);
 }
 
 }  // namespace dapple

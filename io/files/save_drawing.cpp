@@ -63,36 +63,21 @@ bool is_grey(glm::vec3 colour) {
 struct Stopped {};
 
 // By write_image(header, draw), where draw(sink) hands over bands of what colours(coverage) makes.
-void write_pixels(const DrawingSettings& settings, const DrawingToSave& drawing,
-                  const std::optional<StrokeStream>& strokes, const WritingProgress& progress,
-                  const auto& write_image, const auto& colours) {
-    const RasterSize size = raster_size(drawing.page, drawing.saving.dpi);
-    const RasterRequest request{.dot_radius_mm = drawing.dot_radius_mm,
-                                .dpi = drawing.saving.dpi,
-                                .threads = settings.placing.threads};
-    const bool grey = drawing.pens.empty() && is_grey(settings.ink) && is_grey(settings.paper);
+void write_pixels(const DrawingSettings& settings, const DrawingToSave& drawing, const InkPage& page,
+                  const WritingProgress& progress, const auto& write_image, const auto& colours) {
+    const RasterSize size = raster_size(page.size, drawing.saving.dpi);
+    const bool grey = page.pens.empty() && is_grey(settings.ink) && is_grey(settings.paper);
     const PngHeader header{size.width,
                            size.height,
                            drawing.saving.dpi,
                            grey ? PngColours::grey : PngColours::rgb,
                            {{kPngSettingsKeyword, drawing.settings}}};
     write_image(header, [&](const auto& pixels) {
-        if (const std::span<const Pen> pens = drawing.pens; !pens.empty()) {
-            const PenCoverageSink sink = [&](int first_row, std::span<const Grid<float>> coverage) {
-                if (progress) progress(static_cast<double>(first_row) / size.height);
-                pixels(colours(coverage, pens, settings.paper));
-            };
-            if (strokes) return rasterise_pens(*strokes, drawing.page, request, pens.size(), sink);
-            return rasterise_pens(drawing.dots, drawing.page, request, pens.size(), sink);
-        }
-        const CoverageSink sink = [&](int first_row, const Grid<float>& coverage) {
-            if (progress) progress(static_cast<double>(first_row) / size.height);
-            pixels(colours(coverage, settings.ink, settings.paper));
-        };
-        if (strokes)
-            rasterise(*strokes, drawing.page, request, sink);
-        else
-            rasterise(drawing.dots, drawing.page, request, sink);
+        rasterise(page, {.dpi = drawing.saving.dpi, .threads = settings.placing.threads},
+                  [&](int first_row, std::span<const Grid<float>> coverage) {
+                      if (progress) progress(static_cast<double>(first_row) / size.height);
+                      pixels(colours(coverage, page, settings.paper));
+                  });
     });
 }
 
@@ -100,24 +85,11 @@ void write_pixels(const DrawingSettings& settings, const DrawingToSave& drawing,
 
 void write_drawing(std::ostream& out, DrawingFormat format, const DrawingSettings& settings,
                    const DrawingToSave& drawing, const std::string& title, const WritingProgress& progress) {
-    if (is_text(format)) return write_text_drawing(out, format, settings, drawing, progress);
-    const std::optional<StrokeStream> strokes = strokes_of(settings, drawing, format);
-    if (format == DrawingFormat::pdf) {
-        const std::vector<CutMark> marks = registration_of(settings, drawing);
-        std::optional<glm::vec3> background;
-        if (settings.background) background = settings.paper;
-        const PdfStyle style{.dot_radius_mm = drawing.dot_radius_mm,
-                             .ink = settings.ink,
-                             .pens = drawing.pens,
-                             .registration = marks,
-                             .background = background,
-                             .title = title,
-                             .cut_marks = drawing.cut_marks};
-        if (strokes) return write_pdf(out, *strokes, drawing.page, style, progress);
-        return write_pdf(out, drawing.dots, drawing.page, style, progress);
-    }
+    const InkPage page = ink_page(settings, drawing, format);
+    if (is_text(format)) return write_as(format, out, page, progress);
+    if (format == DrawingFormat::pdf) return write_pdf(out, page, title, progress);
     const auto pixels = [&](const auto& write_image, const auto& colours) {
-        write_pixels(settings, drawing, strokes, progress, write_image, colours);
+        write_pixels(settings, drawing, page, progress, write_image, colours);
     };
     const bool png = format == DrawingFormat::png;
     if (drawing.saving.bits == 16)

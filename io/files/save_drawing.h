@@ -10,7 +10,7 @@
 #include "core/drawing/drawing.h"
 #include "core/drawing/write_drawing.h"
 #include "core/output/drawing_format.h"
-#include "core/output/progress.h"
+#include "core/output/ink.h"
 
 namespace dapple {
 

@@ -139,25 +139,17 @@ DrawingToSave drawing_of_pen(const DrawingToSave& drawing, std::size_t pen) {
 void write_separation(std::ostream& out, DrawingFormat format, const DrawingSettings& settings,
                       const DrawingToSave& drawing, std::size_t pen, const WritingProgress& progress) {
     const DrawingToSave own = drawing_of_pen(drawing, pen);
-    const RasterSize size = raster_size(own.page, own.saving.dpi);
-    const RasterRequest request{
-        .dot_radius_mm = own.dot_radius_mm, .dpi = own.saving.dpi, .threads = settings.placing.threads};
+    const InkPage page = ink_page(settings, own, format);
+    const RasterSize size = raster_size(page.size, own.saving.dpi);
     const PngHeader header{size.width, size.height, own.saving.dpi, PngColours::grey};
-    const std::optional<StrokeStream> strokes = strokes_of(settings, own, format);
-    std::vector<CutMark> marks;
-    if (settings.registration) marks = registration_marks(own.page);
     const auto draw = [&]<class Channel>(Channel, const auto& pixels) {
-        const CoverageSink sink = [&](int first_row, const Grid<float>& coverage) {
-            if (progress) progress(static_cast<double>(first_row) / size.height);
-            if (marks.empty()) return pixels(grey_of<Channel>(coverage));
-            Grid<float> marked = coverage;
-            add_marks(marks, own.saving.dpi / kMmPerInch, first_row, marked);
-            pixels(grey_of<Channel>(marked));
-        };
-        if (strokes)
-            rasterise(*strokes, own.page, request, sink);
-        else
-            rasterise(own.dots, own.page, request, sink);
+        rasterise(page, {.dpi = own.saving.dpi, .threads = settings.placing.threads},
+                  [&](int first_row, std::span<const Grid<float>> coverage) {
+                      if (progress) progress(static_cast<double>(first_row) / size.height);
+                      Grid<float> marked = coverage[0];
+                      add_marks(page.registration, own.saving.dpi / kMmPerInch, first_row, marked);
+                      pixels(grey_of<Channel>(marked));
+                  });
     };
     const auto in_8_bits = [&](const PixelSink& pixels) { draw(std::uint8_t{}, pixels); };
     const auto in_16_bits = [&](const PixelSink16& pixels) { draw(std::uint16_t{}, pixels); };

@@ -249,10 +249,12 @@ FilmFrame film_of_plot(Pipeline& pipeline, Stage stage, const FilmChoice& choice
         const std::size_t drawn = plot->drawn_after(plotted_seconds(share, plot->total_seconds));
         if (!plot->strokes.points.empty()) {
             const Strokes strokes = first_points(plot->strokes, drawn);
-            StrokeStream drawn_strokes = stream_of(strokes, stage.settings.pen_width_mm);
-            drawn_strokes.widths_mm = stroke_widths(stage.settings.pens, stage.settings.pen_width_mm,
-                                                    stage.plan.pens, pen_use(stage.settings));
-            return page_pixels(stage.settings, drawn_strokes, stage.plan.pens, stage.page.size, stage.dpi);
+            DrawingToSave now = stage.drawing({}, 0);
+            now.pens = stage.plan.pens;
+            now.strokes = stream_of(strokes, stage.settings.pen_width_mm);
+            now.strokes->widths_mm = stroke_widths(stage.settings.pens, stage.settings.pen_width_mm,
+                                                   stage.plan.pens, pen_use(stage.settings));
+            return page_pixels(stage.settings, now);
         }
         const DotPieces dots = first_dots(plot->dots, drawn);
         DrawingToSave now = stage.drawing(stream_of(dots), stage.plan.radius(stage.scale));

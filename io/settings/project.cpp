@@ -9,7 +9,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "core/output/svg.h"
+#include "core/output/drawing_format.h"
 #include "core/settings/drawing_fields.h"
 #include "core/text/shown_text.h"
 #include "io/files/atomic_file.h"

@@ -9,11 +9,12 @@
 namespace dapple {
 
 /// Dots in millimetres from the page's corner; the page is a window. Those of a file that dapple render wrote
-/// as .json (core/output/csv.h). Throws std::runtime_error with one sentence, naming the file, if it is
-/// none or has no dots.
+/// as .json (core/output/drawing_format.h). Throws std::runtime_error with one sentence, naming the file, if
+/// it is none or has no dots.
 PlacedPoints points_of_json(std::string_view text, const std::string& name);
 
-/// The same for .svg (core/output/svg.h): its circles. They are rounded to some thousandths of a millimetre.
+/// The same for .svg (core/output/drawing_format.h): its circles. They are rounded to some thousandths of a
+/// millimetre.
 PlacedPoints points_of_svg(std::string_view text, const std::string& name);
 
 }  // namespace dapple

@@ -172,8 +172,8 @@ std::string png_of_points(const std::vector<glm::dvec2>& points, const Domain& d
     }
     const double spacing = std::sqrt(domain.area() / double(std::max<std::size_t>(points.size(), 1))) * unit;
     const double radius = std::clamp(0.28 * spacing, 0.5, longer_side / 60.0);
-    const Grid<float> coverage =
-        coverage_of(stream_of(dots), page, {.dot_radius_mm = radius, .dpi = kMmPerInch, .threads = 0});
+    const Grid<float> coverage = coverage_of({.size = page, .dots = stream_of(dots), .dot_radius_mm = radius},
+                                             {.dpi = kMmPerInch, .threads = 0});
     return png_of(ink_on_paper(coverage, kBlack, kWhite));
 }
 

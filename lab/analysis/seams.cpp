@@ -19,8 +19,9 @@ Grid<float> raster_of_dots(std::span<const glm::dvec2> dots, double radius, cons
     }
     // A millimetre is a pixel.
     const PageSize size{double(page.width), double(page.height), page.pixels_per_unit};
-    return coverage_of(stream_of(columns), size,
-                       {.dot_radius_mm = radius * page.pixels_per_unit, .dpi = kMmPerInch, .threads = 0});
+    return coverage_of(
+        {.size = size, .dots = stream_of(columns), .dot_radius_mm = radius * page.pixels_per_unit},
+        {.dpi = kMmPerInch, .threads = 0});
 }
 
 namespace {

@@ -72,10 +72,10 @@ std::vector<ToneFromAfar> tone_from_afar(const Placed& placed, const Grid<float>
     const PageSize& page = placed.plan.page;
     const double mm_per_px = page.width_mm / light.width;
     Grid<float> drawing =
-        coverage_of(stream_of(stippling.dots), page,
-                    {.dot_radius_mm = placed.plan.radius(stippling.scale) * page.mm_per_page_unit,
-                     .dpi = kMmPerInch / mm_per_px,
-                     .threads = settings.placing.threads});
+        coverage_of({.size = page,
+                     .dots = stream_of(stippling.dots),
+                     .dot_radius_mm = placed.plan.radius(stippling.scale) * page.mm_per_page_unit},
+                    {.dpi = kMmPerInch / mm_per_px, .threads = settings.placing.threads});
     // Light ink on dark paper is the light itself.
     if (!settings.tone.invert)
         for (float& value : drawing.values) value = 1 - value;

@@ -5,7 +5,7 @@
 
 #include "core/analysis/report.h"
 #include "core/analysis/spectrum.h"
-#include "core/output/svg.h"
+#include "core/output/drawing_format.h"
 #include "io/reports/plot.h"
 #include "lab/analysis/report_page.h"
 #include "lab/analysis/subject.h"
@@ -32,7 +32,7 @@ std::string drawing_of(const DotStream& dots, std::vector<PlacedTile> tiles, con
     std::erase_if(tiles,
                   [&](const PlacedTile& tile) { return tile.y >= page.height_mm / page.mm_per_page_unit; });
     std::ostringstream out;
-    write_svg(out, dots, page, {.dot_radius_mm = 0.55, .background = kWhite, .tiles = tiles});
+    write_svg(out, {.size = page, .dots = dots, .dot_radius_mm = 0.55, .background = kWhite, .tiles = tiles});
     return std::move(out).str();
 }
 

@@ -27,8 +27,9 @@ HtmlPage::Picture picture_of(const Density& density, const DotStream& dots, doub
     // A page on which a millimetre is a pixel.
     const PageSize page = page_size(density, kSide);
     const double radius = radius_for_tone(scale, InkCurve().full_load());
-    const Grid<float> coverage = coverage_of(
-        dots, page, {.dot_radius_mm = radius * page.mm_per_page_unit, .dpi = kMmPerInch, .threads = 0});
+    const Grid<float> coverage =
+        coverage_of({.size = page, .dots = dots, .dot_radius_mm = radius * page.mm_per_page_unit},
+                    {.dpi = kMmPerInch, .threads = 0});
     return {
         .bytes = png_of(ink_on_paper(coverage, kBlack, kWhite)), .alt = alt, .caption = std::move(caption)};
 }

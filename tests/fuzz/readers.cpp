@@ -3,7 +3,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "core/output/gcode.h"
+#include "core/output/drawing_format.h"
 #include "core/pens/pen.h"
 #include "core/tile/tile_file.h"
 #include "lab/analysis/point_table.h"
@@ -31,7 +31,7 @@ void read_any_gcode_template(const std::string& text) {
         Dots dots;
         dots.x = dots.y = {0.25f, 0.75f};
         std::ostringstream out;
-        write_gcode(out, stream_of(dots), {100, 100, 100}, style);
+        write_gcode(out, {.size = {100, 100, 100}, .dots = stream_of(dots), .gcode = style});
     } catch (const std::runtime_error&) {
     }
 }

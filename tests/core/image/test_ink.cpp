@@ -67,9 +67,10 @@ Measured measured(float light, std::uint64_t count, int steps, bool by_tone, dou
     const double scale = drawn.scale;
     Measured result;
     result.dots = drawn.dots.size();
-    result.coverage = coverage_of(
-        stream_of(drawn.dots, scale), plan.page,
-        {.dot_radius_mm = plan.radius(scale) * plan.page.mm_per_page_unit, .dpi = 25.4 * dpmm, .threads = 0});
+    result.coverage = coverage_of({.size = plan.page,
+                                   .dots = stream_of(drawn.dots, scale),
+                                   .dot_radius_mm = plan.radius(scale) * plan.page.mm_per_page_unit},
+                                  {.dpi = 25.4 * dpmm, .threads = 0});
     result.apart = kWidthMm * dpmm / std::sqrt(double(result.dots));
     return result;
 }

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/output/csv.h"
+#include "core/output/drawing_format.h"
 
 using namespace dapple;
 
@@ -50,7 +50,7 @@ TEST_CASE("a table of dots reads back to the very same dots") {
     }
 
     std::stringstream table;
-    write_csv(table, stream_of(dots), page, {.dot_radius_mm = 0.1 + 0.2, .tile_size = n});
+    write_csv(table, {.size = page, .dots = stream_of(dots), .dot_radius_mm = 0.1 + 0.2, .tile_size = n});
     std::string line;
     REQUIRE(std::getline(table, line));
     CHECK(line == "x_mm,y_mm,radius_mm,level,rank,critical_scale,page_width_mm,page_height_mm");
@@ -73,6 +73,6 @@ TEST_CASE("a table of dots reads back to the very same dots") {
 
 TEST_CASE("a table of no dots is its header") {
     std::ostringstream table;
-    write_csv(table, {}, {.width_mm = 1, .height_mm = 1, .mm_per_page_unit = 1}, {});
+    write_csv(table, {.size = {.width_mm = 1, .height_mm = 1, .mm_per_page_unit = 1}});
     CHECK(table.str() == "x_mm,y_mm,radius_mm,level,rank,critical_scale,page_width_mm,page_height_mm\n");
 }

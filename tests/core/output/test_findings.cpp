@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/output/drawing_format.h"
 #include "core/output/findings.h"
-#include "core/output/hpgl.h"
 
 using namespace dapple;
 

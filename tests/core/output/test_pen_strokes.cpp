@@ -9,13 +9,12 @@
 #include <pugixml.hpp>
 #include <random>
 #include <sstream>
+#include <string>
+#include <vector>
 
-#include "core/output/dxf.h"
-#include "core/output/gcode.h"
-#include "core/output/hpgl.h"
+#include "core/output/drawing_format.h"
 #include "core/output/pen_figures.h"
 #include "core/output/raster.h"
-#include "core/output/svg.h"
 #include "core/strokes/dot_shape.h"
 #include "core/strokes/drawing_style.h"
 #include "tests/machines.h"
@@ -82,11 +81,55 @@ TEST_CASE("a mark is as wide as its own pen lets it be, and a line goes through 
     CHECK(collected(only(stream_of(both, 1), 1)).points == line.points);
 }
 
+TEST_CASE(
+    "each pen that has dots is taken once and draws its marks before them; a single one is always there") {
+    // "pen 1", "line", "dot": what a format is handed.
+    class Recorder : public InkWriter {
+     public:
+        std::vector<std::string> taken;
+
+     private:
+        void begin_pen(int number, const Pen& pen, double) override {
+            taken.push_back(pen.name + ' ' + std::to_string(number));
+        }
+        void dot(const InkDot&) override { taken.emplace_back("dot"); }
+        void stroke(std::span<const glm::dvec2>) override { taken.emplace_back("line"); }
+        void end() override { taken.emplace_back("end"); }
+    };
+    const auto written = [](const InkPage& page) {
+        Recorder recorder;
+        write_ink(recorder, page);
+        return recorder.taken;
+    };
+    // Its empty pieces too.
+    const auto all_of = [](const DotPieces& dots) -> DotStream {
+        return {dots.size(), 0, 0, [&dots](const TakePiece& take) {
+                    for (const Dots& piece : dots.pieces) take(piece);
+                }};
+    };
+    Dots two;
+    two.x = two.y = {0.25f, 0.5f};
+    Dots one = two;
+    one.resize(1, false);
+    one.pen = 1;
+    Dots none;
+    none.pen = 1;
+    const DotPieces sand{{none, two, two}}, both{{two, none, one, one}};
+    InkPage page{.size = kPensPage, .dots = all_of(sand), .pens = kTwoPens};
+    CHECK(written(page) == std::vector<std::string>{"Sand 0", "dot", "dot", "dot", "dot", "end"});
+    page.dots = all_of(both);
+    page.registration = {{{1, 1}, {2, 1}}, {{1, 1}, {1, 2}}};
+    CHECK(written(page) == std::vector<std::string>{"Sand 0", "line", "line", "dot", "dot", "Night 1", "line",
+                                                    "line", "dot", "dot", "end"});
+    CHECK(written({.size = kPensPage}) == std::vector<std::string>{"Black 0", "end"});
+}
+
 TEST_CASE("machines change the pen once for each, draw its registration marks and then its strokes") {
     const DotPieces dots = dots_of_two_pens();
     const StrokeStream crosses = crosses_of(dots);
     const std::vector<CutMark> marks = registration_marks(kPensPage);
     REQUIRE(marks.size() == 8);
+    InkPage page{.size = kPensPage, .strokes = crosses, .pens = kTwoPens, .registration = marks};
     const auto check = [&](const std::vector<std::vector<glm::dvec2>>& drawn, double rounding) {
         std::vector<std::vector<glm::dvec2>> wanted;
         for (int pen = 0; pen < 2; ++pen) {
@@ -104,12 +147,9 @@ TEST_CASE("machines change the pen once for each, draw its registration marks an
         CHECK(most < rounding);
     };
     for (const GcodeTool tool : {GcodeTool::pen, GcodeTool::servo, GcodeTool::laser}) {
-        GcodeStyle style{.lines = parse_gcode_template(gcode_template_of(tool)),
-                         .heights = usual_heights(tool)};
-        style.pens = kTwoPens;
-        style.registration = marks;
+        page.gcode = {.lines = parse_gcode_template(gcode_template_of(tool)), .heights = usual_heights(tool)};
         std::ostringstream gcode;
-        write_gcode(gcode, crosses, kPensPage, style);
+        write_gcode(gcode, page);
         const Plotted plot = plotted_gcode(gcode.str(), Lines::drawn);
         check(plot.lines, 0.00075);
         REQUIRE(plot.changes.size() == 2);
@@ -117,7 +157,7 @@ TEST_CASE("machines change the pen once for each, draw its registration marks an
         CHECK(plot.changes[1].pen == "2 Night");
     }
     std::ostringstream hpgl;
-    write_hpgl(hpgl, crosses, kPensPage, {}, marks);
+    write_hpgl(hpgl, page);
     const Plotted plot = plotted_hpgl(hpgl.str(), Lines::drawn);
     check(plot.lines, 0.018);
     CHECK(plot.changes.size() == 2);
@@ -127,7 +167,7 @@ TEST_CASE("an SVG has a layer for each pen, in its colour and as wide as it is, 
     const DotPieces dots = dots_of_two_pens();
     const std::vector<CutMark> marks = registration_marks(kPensPage);
     std::ostringstream out;
-    write_svg(out, crosses_of(dots), kPensPage, {.pens = kTwoPens, .registration = marks, .background = {}});
+    write_svg(out, {.size = kPensPage, .strokes = crosses_of(dots), .pens = kTwoPens, .registration = marks});
     pugi::xml_document document;
     REQUIRE(document.load_string(out.str().c_str()));
     std::vector<pugi::xml_node> layers;
@@ -143,20 +183,25 @@ TEST_CASE("an SVG has a layer for each pen, in its colour and as wide as it is, 
               8 + 2 * 60);
     }
     std::ostringstream circles;
-    write_svg(circles, stream_of(dots), kPensPage,
-              {.pens = kTwoPens, .registration = marks, .background = {}});
+    write_svg(circles, {.size = kPensPage, .dots = stream_of(dots), .pens = kTwoPens, .registration = marks});
     REQUIRE(document.load_string(circles.str().c_str()));
     for (const pugi::xml_node& layer : document.child("svg").children("g")) {
-        const pugi::xml_node group = layer.child("g");
-        CHECK(std::distance(group.children("path").begin(), group.children("path").end()) == 8);
-        CHECK(std::string(group.attribute("stroke").value()) == layer.attribute("fill").value());
+        CHECK(std::distance(layer.children("path").begin(), layer.children("path").end()) == 8);
+        CHECK(std::distance(layer.children("circle").begin(), layer.children("circle").end()) == 60);
+        for (const pugi::xml_node& cross : layer.children("path")) {
+            CHECK(cross.attribute("fill").value() == std::string("none"));
+            CHECK(cross.attribute("stroke").value() == std::string(layer.attribute("fill").value()));
+        }
     }
 }
 
 TEST_CASE("a DXF has each pen's strokes and marks on its layer") {
     const DotPieces dots = dots_of_two_pens();
     std::ostringstream dxf;
-    write_dxf(dxf, crosses_of(dots), kPensPage, kTwoPens, {}, registration_marks(kPensPage));
+    write_dxf(dxf, {.size = kPensPage,
+                    .strokes = crosses_of(dots),
+                    .pens = kTwoPens,
+                    .registration = registration_marks(kPensPage)});
     const std::string text = dxf.str();
     const auto count = [&](const std::string& what) {
         std::size_t found = 0;
@@ -173,14 +218,16 @@ TEST_CASE("each pen's pixels are those of its strokes alone") {
     const RasterRequest request{.dpi = 100, .threads = 2, .dots_at_once = 40};
     const RasterSize size = raster_size(kPensPage, request.dpi);
     std::vector<Grid<float>> pens(2, Grid<float>(size.width, size.height));
-    rasterise_pens(crosses, kPensPage, request, 2, [&](int first_row, std::span<const Grid<float>> bands) {
-        for (int pen = 0; pen < 2; ++pen) std::ranges::copy(bands[pen].values, pens[pen].row(first_row));
-    });
+    rasterise({.size = kPensPage, .strokes = crosses, .pens = kTwoPens}, request,
+              [&](int first_row, std::span<const Grid<float>> bands) {
+                  for (int pen = 0; pen < 2; ++pen)
+                      std::ranges::copy(bands[pen].values, pens[pen].row(first_row));
+              });
     for (int pen = 0; pen < 2; ++pen) {
         StrokeStream own = only(crosses, pen);
         own.width_mm = kTwoPens[static_cast<std::size_t>(pen)].width_mm;
         own.widths_mm = {};
-        CHECK(coverage_of(own, kPensPage, request).values == pens[pen].values);
+        CHECK(coverage_of({.size = kPensPage, .strokes = own}, request).values == pens[pen].values);
     }
 }
 

@@ -127,7 +127,7 @@ Times times_of(const DrawingSettings& settings, const DrawingToSave& drawing) {
     const PlottingTime told = strokes ? figures_of(*strokes, program).time
                                       : plotting_time(drawing.dots, drawing.page.mm_per_page_unit, program);
     std::ostringstream written;
-    write_text_drawing(written, DrawingFormat::gcode, settings, drawing);
+    write_as(DrawingFormat::gcode, written, ink_page(settings, drawing, DrawingFormat::gcode));
     SteppedMachine machine(drawing.saving.feed_mm_per_min, drawing.saving.acceleration_mm_per_s2);
     return {told.total_s(), machine.seconds_for(written.str())};
 }

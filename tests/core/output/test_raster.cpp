@@ -36,8 +36,8 @@ Dots dots_at(const std::vector<std::pair<float, float>>& places) {
 }
 
 Grid<float> draw(const Dots& dots, int width, int height, double radius, int threads = 1) {
-    return coverage_of(stream_of(dots), pixel_page(width, height),
-                       {.dot_radius_mm = radius, .dpi = kOnePixelPerMm, .threads = threads});
+    return coverage_of({.size = pixel_page(width, height), .dots = stream_of(dots), .dot_radius_mm = radius},
+                       {.dpi = kOnePixelPerMm, .threads = threads});
 }
 
 double area(const Grid<float>& coverage) {
@@ -124,12 +124,12 @@ TEST_CASE("bands and threads leave no trace in the picture") {
 TEST_CASE("bands come from the top down without gaps") {
     int next = 0;
     const Dots one = dots_at({{5, 5}});
-    rasterise(stream_of(one), pixel_page(3000, 1500),
-              {.dot_radius_mm = 1, .dpi = kOnePixelPerMm, .threads = 3},
-              [&](int first_row, const Grid<float>& band) {
+    rasterise({.size = pixel_page(3000, 1500), .dots = stream_of(one), .dot_radius_mm = 1},
+              {.dpi = kOnePixelPerMm, .threads = 3}, [&](int first_row, std::span<const Grid<float>> band) {
                   CHECK(first_row == next);
-                  CHECK(band.width == 3000);
-                  next += band.height;
+                  REQUIRE(band.size() == 1);
+                  CHECK(band[0].width == 3000);
+                  next += band[0].height;
               });
     CHECK(next == 1500);
 }
@@ -159,10 +159,10 @@ TEST_CASE("a picture is the same however few dots are in memory at once, and the
     for (const std::uint64_t at_once : {1u, 300u, 1'000'000u}) {
         passes = 0;
         Grid<float> drawn(width, height);
-        rasterise(stream, pixel_page(width, height),
-                  {.dot_radius_mm = 3, .dpi = kOnePixelPerMm, .threads = 2, .dots_at_once = at_once},
-                  [&](int first_row, const Grid<float>& band) {
-                      std::ranges::copy(band.values, drawn.row(first_row));
+        rasterise({.size = pixel_page(width, height), .dots = stream, .dot_radius_mm = 3},
+                  {.dpi = kOnePixelPerMm, .threads = 2, .dots_at_once = at_once},
+                  [&](int first_row, std::span<const Grid<float>> band) {
+                      std::ranges::copy(band[0].values, drawn.row(first_row));
                   });
         CHECK(drawn.values == whole.values);
         // Once to count, then again for each stretch.

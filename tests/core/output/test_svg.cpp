@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "core/image/colour.h"
-#include "core/output/svg.h"
+#include "core/output/drawing_format.h"
 #include "core/text/text_lines.h"
 
 using namespace dapple;
@@ -30,9 +30,11 @@ Dots dots_at(std::initializer_list<std::pair<float, float>> places) {
     return dots;
 }
 
-pugi::xml_document svg_of(const Dots& dots, const PageSize& page, const SvgStyle& style) {
+pugi::xml_document svg_of(const Dots& dots, const PageSize& size, InkPage page) {
+    page.size = size;
+    page.dots = stream_of(dots);
     std::ostringstream out;
-    write_svg(out, stream_of(dots), page, style);
+    write_svg(out, page);
     pugi::xml_document document;
     const pugi::xml_parse_result parsed = document.load_string(out.str().c_str());
     REQUIRE_MESSAGE(parsed, parsed.description());
@@ -56,7 +58,7 @@ std::string fixed(double value, int decimals) {
 }  // namespace
 
 TEST_CASE("an SVG says its size in millimetres and its coordinates are 96ths of an inch") {
-    SvgStyle style;
+    InkPage style;
     style.dot_radius_mm = 25.4;
     const pugi::xml_document document = svg_of(dots_at({{0.5f, 0.25f}}), kA4Wide, style);
     const pugi::xml_node root = document.child("svg");
@@ -71,7 +73,7 @@ TEST_CASE("an SVG says its size in millimetres and its coordinates are 96ths of 
 }
 
 TEST_CASE("each pen has a layer, a direct child of the root, its number first in the label") {
-    SvgStyle style;
+    InkPage style;
     const pugi::xml_document black = svg_of(dots_at({{0.1f, 0.1f}, {0.2f, 0.3f}}), kA4Wide, style);
     const pugi::xml_node layer = black.child("svg").child("g");
     CHECK(layer.attribute("inkscape:groupmode").value() == std::string("layer"));
@@ -89,14 +91,14 @@ TEST_CASE("each pen has a layer, a direct child of the root, its number first in
 }
 
 TEST_CASE("no dot has radius 0, however small it is to be") {
-    SvgStyle style;
+    InkPage style;
     style.dot_radius_mm = 1e-9;
     const pugi::xml_document document = svg_of(dots_at({{0.5f, 0.5f}}), kA4Wide, style);
     CHECK(document.child("svg").child("g").child("circle").attribute("r").as_double() > 0);
 }
 
 TEST_CASE("an SVG has a background only if asked for") {
-    SvgStyle style;
+    InkPage style;
     CHECK(!svg_of(dots_at({{0.5f, 0.5f}}), kA4Wide, style).child("svg").child("rect"));
     style.background = parse_colour("#fed");
     const pugi::xml_document document = svg_of(dots_at({{0.5f, 0.5f}}), kA4Wide, style);
@@ -110,7 +112,7 @@ TEST_CASE("tiles are the second layer, one colour a level") {
     const std::vector<PlacedTile> tiles{{.level = 0, .x = 0, .y = 0, .side = 1, .orientation = {}},
                                         {.level = 1, .x = 0, .y = 0, .side = 0.5, .orientation = {}},
                                         {.level = 1, .x = 0.5, .y = 0, .side = 0.5, .orientation = {}}};
-    SvgStyle style;
+    InkPage style;
     style.tiles = tiles;
     const pugi::xml_document document = svg_of(dots_at({{0.5f, 0.5f}}), kA4Wide, style);
     const pugi::xml_node layer = document.child("svg").child("g").next_sibling("g");
@@ -134,7 +136,7 @@ TEST_CASE("outlines end at the page's edges, and those beyond or all around it a
                                         {.level = 2, .x = 0, .y = 0.25, .side = 0.25, .orientation = {}},
                                         {.level = 2, .x = -0.25, .y = 0, .side = 0.25, .orientation = {}},
                                         {.level = 2, .x = 0.25, .y = 0, .side = 0.25, .orientation = {}}};
-    SvgStyle style;
+    InkPage style;
     style.tiles = tiles;
     const pugi::xml_document document = svg_of(dots_at({{0.1f, 0.1f}}), page, style);
     std::set<std::string> outlines;

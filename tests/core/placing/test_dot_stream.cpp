@@ -8,10 +8,9 @@
 #include <sstream>
 #include <string>
 
-#include "core/output/csv.h"
+#include "core/output/drawing_format.h"
 #include "core/output/raster.h"
 #include "core/output/sheet.h"
-#include "core/output/svg.h"
 #include "core/placing/stipple.h"
 #include "core/tile/ranking.h"
 #include "tests/dot_pieces.h"
@@ -50,22 +49,23 @@ struct Scene {
 
 std::string svg_of(const DotStream& dots, const PageSize& page) {
     std::ostringstream out;
-    write_svg(out, dots, page, {.dot_radius_mm = 0.3, .background = {}});
+    write_svg(out, {.size = page, .dots = dots, .dot_radius_mm = 0.3});
     return out.str();
 }
 
 std::string csv_of(const DotStream& dots, const PageSize& page) {
     std::ostringstream out;
-    write_csv(out, dots, page, {.dot_radius_mm = 0.3, .tile_size = 16});
+    write_csv(out, {.size = page, .dots = dots, .dot_radius_mm = 0.3, .tile_size = 16});
     return out.str();
 }
 
 Grid<float> pixels_of(const DotStream& dots, const PageSize& page) {
     const RasterSize size = raster_size(page, 50);
     Grid<float> all(size.width, size.height);
-    rasterise(dots, page, {.dot_radius_mm = 0.3, .dpi = 50}, [&](int first_row, const Grid<float>& band) {
-        std::ranges::copy(band.values, all.row(first_row));
-    });
+    rasterise({.size = page, .dots = dots, .dot_radius_mm = 0.3}, {.dpi = 50},
+              [&](int first_row, std::span<const Grid<float>> band) {
+                  std::ranges::copy(band[0].values, all.row(first_row));
+              });
     return all;
 }
 
@@ -117,15 +117,17 @@ TEST_CASE("a sheet or region that is placed for itself is the one cut from the w
 
 TEST_CASE("pictures of sheets laid side by side are the picture of the whole, dots across the cuts too") {
     Scene scene;
-    const RasterRequest raster{.dot_radius_mm = 2.3, .dpi = 2 * 25.4};  // two pixels a millimetre
+    constexpr double kRadiusMm = 2.3;
+    const RasterRequest raster{.dpi = 2 * 25.4};  // two pixels a millimetre
     const auto picture_of = [&](const PagePart& part, const PageSize& size) {
         const DotStream dots =
             stream(scene.tile.placer(), scene.density, {.placing = {.count = 3000}, .part = part});
         const RasterSize pixels = raster_size(size, raster.dpi);
         Grid<float> all(pixels.width, pixels.height);
-        rasterise(dots, size, raster, [&](int first_row, const Grid<float>& band) {
-            std::ranges::copy(band.values, all.row(first_row));
-        });
+        rasterise({.size = size, .dots = dots, .dot_radius_mm = kRadiusMm}, raster,
+                  [&](int first_row, std::span<const Grid<float>> band) {
+                      std::ranges::copy(band[0].values, all.row(first_row));
+                  });
         return all;
     };
     const Grid<float> whole = picture_of({}, scene.page);
@@ -135,7 +137,7 @@ TEST_CASE("pictures of sheets laid side by side are the picture of the whole, do
     for (const int row : {0, 1}) {
         for (const int column : {0, 1}) {
             const Excerpt sheet = sheet_of(scene.page, {column + 1, row + 1, 2, 2});
-            const double reach = raster.dot_radius_mm / sheet.size.mm_per_page_unit;
+            const double reach = kRadiusMm / sheet.size.mm_per_page_unit;
             const Grid<float> wide = picture_of(widened(sheet.part, reach), sheet.size);
             const Grid<float> own = picture_of(sheet.part, sheet.size);
             REQUIRE(wide.width == 300);

@@ -14,12 +14,9 @@
 #include <string>
 #include <utility>
 
-#include "core/output/dxf.h"
-#include "core/output/gcode.h"
-#include "core/output/hpgl.h"
+#include "core/output/drawing_format.h"
 #include "core/output/pen_figures.h"
 #include "core/output/raster.h"
-#include "core/output/svg.h"
 #include "core/strokes/dot_shape.h"
 #include "core/strokes/drawing_style.h"
 #include "tests/machines.h"
@@ -149,13 +146,14 @@ TEST_CASE("a spiral and a hatch fill their dot, and no shape but a path reaches 
     Dots dot;
     dot.x.push_back(0.5f);
     dot.y.push_back(0.5f);
-    const RasterRequest request{.dot_radius_mm = radius, .dpi = dpi};
-    const Grid<float> disc = coverage_of(stream_of(dot), page, request);
+    const RasterRequest request{.dpi = dpi};
+    const Grid<float> disc =
+        coverage_of({.size = page, .dots = stream_of(dot), .dot_radius_mm = radius}, request);
     for (const char* name : {"point", "stroke", "spiral", "hatch", "ring", "cross"}) {
         CAPTURE(name);
         const DotMark mark = parse_dot_mark(name);
-        const Grid<float> drawn =
-            coverage_of(marks_of(stream_of(dot), page, mark, radius, pen), page, request);
+        const Grid<float> drawn = coverage_of(
+            {.size = page, .strokes = marks_of(stream_of(dot), page, mark, radius, pen)}, request);
         double of_disc = 0, inside = 0, outside = 0;
         for (std::size_t i = 0; i < disc.values.size(); ++i) {
             of_disc += disc.values[i];
@@ -214,7 +212,8 @@ TEST_CASE("pixels of strokes are what lies within half a pen of them") {
     const Strokes strokes = some_strokes();
     const double width = 0.5, dpi = 50.8;  // 2 pixels to the millimetre
     RasterRequest request{.dpi = dpi};
-    const Grid<float> drawn = coverage_of(stream_of(strokes, width), kStrokePage, request);
+    const Grid<float> drawn =
+        coverage_of({.size = kStrokePage, .strokes = stream_of(strokes, width)}, request);
     REQUIRE(drawn.width == 80);
     REQUIRE(drawn.height == 60);
     double most = 0;
@@ -235,7 +234,8 @@ TEST_CASE("pixels of strokes are what lies within half a pen of them") {
     }
     CHECK(most < 1.5 / 256);  // a sample that lies just on the rim
     request.dots_at_once = 10;
-    CHECK(coverage_of(stream_of(strokes, width), kStrokePage, request).values == drawn.values);
+    CHECK(coverage_of({.size = kStrokePage, .strokes = stream_of(strokes, width)}, request).values ==
+          drawn.values);
 }
 
 TEST_CASE("machines that read strokes draw them, and touch the paper where a stroke is a point") {
@@ -264,18 +264,20 @@ TEST_CASE("machines that read strokes draw them, and touch the paper where a str
     for (const GcodeTool tool : {GcodeTool::pen, GcodeTool::servo, GcodeTool::laser}) {
         CAPTURE(name_of(tool));
         std::ostringstream out;
-        write_gcode(out, stream_of(strokes, 0.4), kStrokePage,
-                    {.lines = parse_gcode_template(gcode_template_of(tool)), .heights = usual_heights(tool)});
+        write_gcode(out, {.size = kStrokePage,
+                          .strokes = stream_of(strokes, 0.4),
+                          .gcode = GcodeStyle{.lines = parse_gcode_template(gcode_template_of(tool)),
+                                              .heights = usual_heights(tool)}});
         check(plotted_gcode(out.str(), Lines::drawn), 0.00075);
     }
     std::ostringstream hpgl;
-    write_hpgl(hpgl, stream_of(strokes, 0.4), kStrokePage);
+    write_hpgl(hpgl, {.size = kStrokePage, .strokes = stream_of(strokes, 0.4)});
     const Plotted plot = plotted_hpgl(hpgl.str(), Lines::drawn);
     check(plot, 0.018);
     REQUIRE(plot.dots.size() == touches.size());
     CHECK(glm::distance(plot.dots[1], touches[1]) < 0.018);
     std::ostringstream dxf;
-    write_dxf(dxf, stream_of(strokes, 0.4), kStrokePage);
+    write_dxf(dxf, {.size = kStrokePage, .strokes = stream_of(strokes, 0.4)});
     const auto count = [text = dxf.str()](const std::string& what) {
         std::size_t found = 0;
         for (std::size_t at = text.find(what); at != text.npos; at = text.find(what, at + 1)) ++found;
@@ -284,8 +286,9 @@ TEST_CASE("machines that read strokes draw them, and touch the paper where a str
     CHECK(count("\nLWPOLYLINE\n") == lines.size());
     CHECK(count("\nPOINT\n") == touches.size());
     const GcodeTemplate only_dots = parse_gcode_template("start G21\nmove G1 X{x} Y{y}\ndot G4 P{dwell}\n");
-    CHECK_THROWS_WITH(write_gcode(dxf, stream_of(strokes, 0.4), kStrokePage, {.lines = only_dots}),
-                      doctest::Contains("does not say how to draw lines"));
+    const InkPage lines_by_dots{
+        .size = kStrokePage, .strokes = stream_of(strokes, 0.4), .gcode = GcodeStyle{.lines = only_dots}};
+    CHECK_THROWS_WITH(write_gcode(dxf, lines_by_dots), doctest::Contains("does not say how to draw lines"));
 }
 
 TEST_CASE("parts of a page have all of its lines, and nothing beyond their edges") {

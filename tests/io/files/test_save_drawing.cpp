@@ -77,8 +77,7 @@ TEST_CASE("no number leaves for a machine that is none, or lies far from the pag
             for (const float wrong : {nan, INFINITY, -INFINITY, 9e12f, -9e12f, 4.0f}) {
                 CHECK_FALSE(saved(format.format, wrong, 0.5f, 0.01f, as_stroke));
                 CHECK_FALSE(saved(format.format, 0.05f, wrong, 0.01f, as_stroke));
-                if (!as_stroke && format.format != DrawingFormat::hpgl)
-                    CHECK_FALSE(saved(format.format, 0.05f, 0.5f, wrong + 1, false));
+                if (!as_stroke) CHECK_FALSE(saved(format.format, 0.05f, 0.5f, wrong + 1, false));
             }
             CHECK(saved(format.format, -0.3f, 1.3f, 0.3f, as_stroke));
             put_text(file, "the old drawing");

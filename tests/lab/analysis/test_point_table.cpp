@@ -3,7 +3,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "core/output/csv.h"
+#include "core/output/drawing_format.h"
 #include "lab/analysis/point_table.h"
 #include "tests/point_sets.h"
 
@@ -62,7 +62,7 @@ TEST_CASE("a drawing's own table reads back") {
     dots.threshold = {0.03125f, 0.09375f};
     dots.critical = {1, 2};
     std::ostringstream out;
-    write_csv(out, stream_of(dots), {200, 100, 200}, {.dot_radius_mm = 0.5, .tile_size = 16});
+    write_csv(out, {.size = {200, 100, 200}, .dots = stream_of(dots), .dot_radius_mm = 0.5, .tile_size = 16});
     CHECK(parse_point_table(out.str()) == Points{{50, 100}, {150, 25}});
     CHECK(page_of_table(out.str()) == glm::dvec2(200, 100));
 }

@@ -42,7 +42,8 @@ Grid<float> light_of_drawing(const Grid<float>& light, const DrawingSettings& se
     REQUIRE(pipeline.draw(plan, dots));
     const double radius_mm = plan.radius(dots.scale) * plan.page.mm_per_page_unit;
     Grid<float> drawn =
-        coverage_of(stream_of(dots.dots), plan.page, {.dot_radius_mm = radius_mm, .dpi = 150, .threads = 0});
+        coverage_of({.size = plan.page, .dots = stream_of(dots.dots), .dot_radius_mm = radius_mm},
+                    {.dpi = 150, .threads = 0});
     if (!settings.tone.invert)
         for (float& value : drawn.values) value = 1 - value;
     return drawn;

@@ -83,8 +83,8 @@ TEST_CASE("a preview is as light as all dots, in light, middle and dark tones, r
             placed(50'000, steps, true, true, PlacerKind::exact, DensitySource::ramp);
         const PageSize page{drawing.page_size.x, drawing.page_size.y, 1};
         const auto light = [&](const DotPieces& dots) {
-            return coverage_of(stream_of(dots), page,
-                               {.dot_radius_mm = drawing.dot_radius, .dpi = 25.4 * 1500, .threads = 0});
+            return coverage_of({.size = page, .dots = stream_of(dots), .dot_radius_mm = drawing.dot_radius},
+                               {.dpi = 25.4 * 1500, .threads = 0});
         };
         const Grid<float> all = light(drawing.dots);
         for (const double every : {2.0, 3.0, 6.0, 15.0}) {

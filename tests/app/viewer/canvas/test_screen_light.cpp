@@ -55,20 +55,18 @@ struct Drawing {
         const PageSize page = page_size(density, 1);
         size = {page.width_mm, page.height_mm};
         radius = radius_for_tone(stippling.scale, 1.6);
-        const RasterRequest request{.dot_radius_mm = radius, .dpi = 25.4 * 1800, .threads = 0};
-        if (pens.empty()) {
-            file = ink_on_paper(coverage_of(stream_of(stippling.dots), page, request), colours.ink,
-                                colours.paper);
-            return;
-        }
-        share_out();
+        const RasterRequest request{.dpi = 25.4 * 1800, .threads = 0};
+        if (!pens.empty()) share_out();
+        const InkPage drawn{.size = page,
+                            .dots = stream_of(stippling.dots),
+                            .dot_radius_mm = radius,
+                            .ink = colours.ink,
+                            .pens = pens};
         const RasterSize pixels = raster_size(page, request.dpi);
         file = Grid<glm::u8vec3>(pixels.width, pixels.height);
-        rasterise_pens(stream_of(stippling.dots), page, request, pens.size(),
-                       [&](int first_row, std::span<const Grid<float>> coverage) {
-                           std::ranges::copy(ink_on_paper(coverage, pens, colours.paper).values,
-                                             file.row(first_row));
-                       });
+        rasterise(drawn, request, [&](int first_row, std::span<const Grid<float>> coverage) {
+            std::ranges::copy(ink_on_paper(coverage, drawn, colours.paper).values, file.row(first_row));
+        });
     }
 
     // Each pen has one dot in so many, wherever they lie.
