@@ -75,7 +75,7 @@ void render_mural(const RenderOptions& options) {
             ++drawn;
         };
         try {
-            render_parts(parts, {.progress = show}, take);
+            render_parts(parts, show, take);
         } catch (const std::runtime_error&) {
             save_next(drawn, [] { throw; });
         }
@@ -175,7 +175,7 @@ BatchResult render_batch(const RenderOptions& options, const std::vector<fs::pat
                 one.output = output_in(folder, pictures[i], format);
                 one.stats.reset();
                 const Rendered rendered =
-                    render(one, {[&](double share) { progress.report(i, std::min(share, 0.99)); }});
+                    render(one, [&](double share) { progress.report(i, std::min(share, 0.99)); });
                 found[i] = {printable(one.output.filename().native()), rendered.findings};
                 if (options.stats) stats[i] = stats_of(one, rendered);
             } catch (const std::exception& failure) {

@@ -82,8 +82,8 @@ constexpr double kReportedSize = 20e6;  // bytes: it is told before it is writte
 // it took.
 class Stages {
  public:
-    explicit Stages(const RenderWatch& watcher) : watcher_(watcher) {
-        if (!watcher_.progress) line_.emplace();
+    explicit Stages(const RenderProgress& progress) : progress_(progress) {
+        if (!progress_) line_.emplace();
     }
 
     // The next stage; of all work, it is about the part between the two.
@@ -95,14 +95,14 @@ class Stages {
         show(0);
     }
     void show(double share) {
-        if (watcher_.progress) watcher_.progress(from_ + share * (to_ - from_));
+        if (progress_) progress_(from_ + share * (to_ - from_));
         if (line_) line_->show(share, text_);
     }
     void end() { line_.reset(); }
 
     // Where nobody watches: a sentence for whoever reads the terminal.
     void say(const std::string& sentence) {
-        if (watcher_.progress) return;
+        if (progress_) return;
         const bool goes_on = line_.has_value();
         line_.reset();
         fmt::print(stderr, "{}\n", sentence);
@@ -116,7 +116,7 @@ class Stages {
     }
 
  private:
-    const RenderWatch& watcher_;
+    const RenderProgress& progress_;
     std::optional<ProgressLine> line_;
     std::string text_;
     double from_ = 0, to_ = 1;
@@ -285,7 +285,7 @@ PlacedPicture placed_picture(const RenderOptions& options, Stages& stages) {
 
 // Draws the part of the page that the options say.
 Rendered saved_part(const PlacedPicture& placed, const RenderOptions& options, Stages& stages,
-                    const RenderWatch& watcher) {
+                    const RenderProgress& progress) {
     const DrawingSettings& settings = options.drawing;
     const DrawingFormat format = placed.file.format;
     const DrawingPlan& plan = placed.drawing.plan;
@@ -359,26 +359,26 @@ Rendered saved_part(const PlacedPicture& placed, const RenderOptions& options, S
         stages.say(
             "nearly all dots go into black; --invert --ink '#fff' --paper '#000' --background draws "
             "the light parts instead");
-    if (!watcher.progress) print_summary(options, rendered);
+    if (!progress) print_summary(options, rendered);
     if (options.stats) save_stats(*options.stats, stats_of(options, rendered));
     return rendered;
 }
 
 }  // namespace
 
-Rendered render(const RenderOptions& options, const RenderWatch& watcher) {
+Rendered render(const RenderOptions& options, const RenderProgress& progress) {
     check_output(options);
     check_stats(options);
-    Stages stages(watcher);
-    return saved_part(placed_picture(options, stages), options, stages, watcher);
+    Stages stages(progress);
+    return saved_part(placed_picture(options, stages), options, stages, progress);
 }
 
-void render_parts(std::span<const RenderOptions> parts, const RenderWatch& watcher,
+void render_parts(std::span<const RenderOptions> parts, const RenderProgress& progress,
                   const std::function<void(const RenderOptions& part, const Rendered& drawn)>& take) {
     for (const RenderOptions& part : parts) check_output(part);
-    Stages stages(watcher);
+    Stages stages(progress);
     const PlacedPicture placed = placed_picture(parts.front(), stages);
-    for (const RenderOptions& part : parts) take(part, saved_part(placed, part, stages, watcher));
+    for (const RenderOptions& part : parts) take(part, saved_part(placed, part, stages, progress));
 }
 
 }  // namespace dapple

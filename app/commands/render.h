@@ -52,21 +52,20 @@ bool reads_standard_input(const RenderOptions& options);
 /// For messages: "cat.jpg".
 std::string name_of_image(const RenderOptions& options);
 
-/// For whoever draws many: told how far one has come, 0..1, in place of the terminal's line and the report.
-struct RenderWatch {
-    std::function<void(double share)> progress;
-};
+/// For whoever draws many: called with how far one has come, 0..1, in place of the terminal's line and the
+/// report; none: these.
+using RenderProgress = std::function<void(double share)>;
 
 struct Rendered;  // app/commands/render_report.h
 
 /// Reads, places and saves one drawing. Throws std::runtime_error with one sentence naming the file that is
 /// wrong; what was at the output's place stays then.
-Rendered render(const RenderOptions& options, const RenderWatch& watcher = {});
+Rendered render(const RenderOptions& options, const RenderProgress& progress = {});
 
 /// The same of several parts of one drawing, whose picture is read and planned once: their options differ in
 /// sheet and output alone. Each part is told of once it is saved; those saved before something is thrown
 /// stay.
-void render_parts(std::span<const RenderOptions> parts, const RenderWatch& watcher,
+void render_parts(std::span<const RenderOptions> parts, const RenderProgress& progress,
                   const std::function<void(const RenderOptions& part, const Rendered& drawn)>& take);
 
 // Where `dapple render` draws: the page, the picture on it, and the part of it that is wanted.

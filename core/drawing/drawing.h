@@ -19,6 +19,7 @@
 #include "core/routing/short_way.h"
 #include "core/strokes/dot_shape.h"
 #include "core/strokes/strokes.h"
+#include "core/watch.h"
 
 namespace dapple {
 

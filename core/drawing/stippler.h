@@ -29,7 +29,7 @@
 #include "core/image/light_picture.h"
 #include "core/output/drawing_format.h"
 #include "core/output/findings.h"
-#include "core/routing/short_way.h"
+#include "core/watch.h"
 
 namespace dapple {
 

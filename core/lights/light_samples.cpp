@@ -93,7 +93,7 @@ double azimuth(double u) {
 class Owners {
  public:
     Owners(const PatchGrid& grid, std::span<const glm::dvec2> dots, const DotsByPatch& by_patch,
-           const LightWatch& watch)
+           const Watch& watch)
         : grid_(grid),
           owner_(grid.size(), kNobody),
           distance_(grid.size(), std::numeric_limits<float>::max()) {
@@ -274,7 +274,7 @@ void draw_places(const Grid<float>& power, const PatchGrid& grid, const DotsByPa
 
 std::vector<LightRegion> share_light(const EnvironmentMap& map, const Grid<float>& power,
                                      std::span<const glm::dvec2> dots, std::optional<std::uint64_t> seed,
-                                     const LightWatch& watch) {
+                                     const Watch& watch) {
     const PatchGrid grid{map.width(), map.height()};
     const DotsByPatch by_patch(grid, dots);
     const Owners owners(grid, dots, by_patch, watch);
@@ -535,7 +535,7 @@ class SettledSamples {
         return dots_of(Density(std::move(rest), Sides::wrap), turn, tile, of_rest, stop);
     }
 
-    std::vector<LightSample> settled(std::span<const glm::dvec2> dots, const LightWatch& watch) const {
+    std::vector<LightSample> settled(std::span<const glm::dvec2> dots, const Watch& watch) const {
         std::vector<glm::dvec3> lights;
         for (const glm::dvec2 uv : dots) lights.push_back(direction_of(uv, SphereConvention::openexr));
         const TexelTree tree(map_, power_, request_.threads);
@@ -599,7 +599,7 @@ std::vector<glm::dvec2> light_dots(const EnvironmentMap& map, RankedTile& tile, 
 namespace {
 
 LightSamples as_placed(const EnvironmentMap& map, RankedTile& tile, const LightRequest& request,
-                       const LightWatch& watch) {
+                       const Watch& watch) {
     if (request.radiance == SampleRadiance::point && request.position != SamplePosition::random)
         throw std::runtime_error(
             "the radiance at a sample's point needs a random position: other points have no density");
@@ -622,7 +622,7 @@ LightSamples as_placed(const EnvironmentMap& map, RankedTile& tile, const LightR
 
     const Stopwatch sharing;
     const bool drawn = request.position == SamplePosition::random;
-    const LightWatch while_sharing{
+    const Watch while_sharing{
         watch.stop, [&watch](double share) { watch.goes_on(kPlacingShare + (1 - kPlacingShare) * share); }};
     if (settling) {
         result.samples = settling->settled(dots, while_sharing);
@@ -657,7 +657,7 @@ LightSamples as_placed(const EnvironmentMap& map, RankedTile& tile, const LightR
 }  // namespace
 
 LightSamples light_samples(const EnvironmentMap& map, RankedTile& tile, const LightRequest& request,
-                           const LightWatch& watch) {
+                           const Watch& watch) {
     LightSamples lights = as_placed(map, tile, request, watch);
     if (request.order == LightOrder::placed) return lights;
     std::vector<LightSample> ordered;

@@ -10,7 +10,6 @@
 // weights L / (n pdf) only does on average.
 
 #include <cstdint>
-#include <functional>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
@@ -23,23 +22,9 @@
 #include "core/image/environment.h"
 #include "core/placing/stipple.h"
 #include "core/text/names.h"
+#include "core/watch.h"
 
 namespace dapple {
-
-// Progress and stopping, for whoever waits for light samples: with a map of many megapixels they take
-// seconds.
-
-struct LightWatch {
-    std::stop_token stop;                        // asks to give up
-    std::function<void(double share)> progress;  // told now and then, 0..1, never backwards
-
-    /// Tells how far it is. False: it is to be given up.
-    bool goes_on(double share) const {
-        if (stop.stop_requested()) return false;
-        if (progress) progress(share);
-        return true;
-    }
-};
 
 // The light of a map shared out among dots.
 //
@@ -61,7 +46,7 @@ struct LightRegion {
 /// placed by, a texel's whole. Places are drawn if there is a seed. Nothing if stopped.
 std::vector<LightRegion> share_light(const EnvironmentMap& map, const Grid<float>& power,
                                      std::span<const glm::dvec2> dots, std::optional<std::uint64_t> seed = {},
-                                     const LightWatch& watch = {});
+                                     const Watch& watch = {});
 
 /// Where in its region a sample is. All three agree in weight.
 enum class SamplePosition {
@@ -136,7 +121,7 @@ struct LightSamples {
 /// not random, if the tile cannot be used by the placer asked for, or if Figure 8 does not find so many
 /// places, as on a map whose light it loses. If stopped there are no samples.
 DAPPLE_API LightSamples light_samples(const EnvironmentMap& map, RankedTile& tile,
-                                      const LightRequest& request, const LightWatch& watch = {});
+                                      const LightRequest& request, const Watch& watch = {});
 
 /// The dots of that request on the map: u and v. None if stopped.
 std::vector<glm::dvec2> light_dots(const EnvironmentMap& map, RankedTile& tile, const LightRequest& request,

@@ -203,8 +203,8 @@ void TexelTree::for_each_texel(const Square& square, const Texel& texel) const {
 
 // What comes of each light's texels: of the tasks side by side, added up in their order.
 template <class Result, class Whole, class Texel>
-bool TexelTree::for_each_light(std::span<const glm::dvec3> lights, const LightWatch& watch,
-                               const Whole& whole, const Texel& texel, std::vector<Result>& results) const {
+bool TexelTree::for_each_light(std::span<const glm::dvec3> lights, const Watch& watch, const Whole& whole,
+                               const Texel& texel, std::vector<Result>& results) const {
     const std::vector<Task> all = tasks(lights);
     results.assign(lights.size(), {});
     std::vector<std::vector<Result>> parts(kAtOnce);
@@ -231,7 +231,7 @@ bool TexelTree::for_each_light(std::span<const glm::dvec3> lights, const LightWa
 }
 
 std::optional<std::vector<TexelSum>> TexelTree::nearest_to(std::span<const glm::dvec3> lights,
-                                                           const LightWatch& watch) const {
+                                                           const Watch& watch) const {
     std::vector<TexelSum> sums;
     const auto add = [&](const Square& square, std::uint32_t, TexelSum& sum) {
         sum += levels_[std::size_t(square.level)].at(square.column, square.row);
@@ -327,12 +327,12 @@ void go_to_suns(const TexelTree& tree, const std::vector<TexelSum>& sums, std::s
 }  // namespace
 
 std::optional<std::vector<TexelSum>> settle(const TexelTree& tree, std::vector<glm::dvec3>& lights, int steps,
-                                            const LightWatch& watch) {
+                                            const Watch& watch) {
     constexpr int kMostRounds = 60;  // in which idle lights find a place
     std::optional<std::vector<TexelSum>> sums;
     for (int step = 0; step <= steps; ++step) {
         const auto share = [&](double done) { return (step + done) / (steps + 1); };
-        const LightWatch of_step{watch.stop, [&](double done) { watch.goes_on(share(done)); }};
+        const Watch of_step{watch.stop, [&](double done) { watch.goes_on(share(done)); }};
         sums = tree.nearest_to(lights, of_step);
         const bool last = step == steps;
         for (int round = 0; sums && send_off_idle_ones(tree, *sums, lights) && last && round < kMostRounds;

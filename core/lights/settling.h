@@ -15,6 +15,7 @@
 #include "core/image/environment.h"
 #include "core/image/grid.h"
 #include "core/lights/light_samples.h"
+#include "core/watch.h"
 
 namespace dapple {
 
@@ -38,7 +39,7 @@ class TexelTree {
     /// The sum of the texels that are nearest to each light, in double precision: of unit vectors, at least
     /// one. Ties go to the first. Nothing if stopped; `watch` is told of shares from 0 to 1.
     std::optional<std::vector<TexelSum>> nearest_to(std::span<const glm::dvec3> lights,
-                                                    const LightWatch& watch) const;
+                                                    const Watch& watch) const;
 
     /// The number of the light that is nearest to each texel.
     Grid<std::uint32_t> nearest_of(std::span<const glm::dvec3> lights) const;
@@ -68,7 +69,7 @@ class TexelTree {
     template <class Texel>
     void for_each_texel(const Square& square, const Texel& texel) const;
     template <class Result, class Whole, class Texel>
-    bool for_each_light(std::span<const glm::dvec3> lights, const LightWatch& watch, const Whole& whole,
+    bool for_each_light(std::span<const glm::dvec3> lights, const Watch& watch, const Whole& whole,
                         const Texel& texel, std::vector<Result>& results) const;
     // Calls whole(square, light) for the largest squares all of whose texels are nearest to one light, and
     // of smaller ones texel(column, row, light).
@@ -87,6 +88,6 @@ class TexelTree {
 /// Moves lights for so many steps, and returns what each then stands for; all have power if there are as many
 /// texels with some. Nothing if stopped.
 std::optional<std::vector<TexelSum>> settle(const TexelTree& tree, std::vector<glm::dvec3>& lights, int steps,
-                                            const LightWatch& watch = {});
+                                            const Watch& watch = {});
 
 }  // namespace dapple

@@ -2,12 +2,11 @@
 // A short way for a pen through all dots: an open path, the travelling salesman's without the way home.
 
 #include <cstdint>
-#include <functional>
 #include <span>
-#include <stop_token>
 #include <vector>
 
 #include "core/placing/dots.h"
+#include "core/watch.h"
 
 namespace dapple {
 
@@ -22,12 +21,6 @@ namespace dapple {
 /// `near` is near_dots(x, y).
 std::vector<std::uint32_t> greedy_way(std::span<const float> x, std::span<const float> y,
                                       std::span<const std::uint32_t> near, bool holds_first, bool holds_last);
-
-/// Progress and stopping, for whoever waits. It may be called from several threads, but not at the same time.
-struct Watch {
-    std::stop_token stop;                        // asks to give up
-    std::function<void(double share)> progress;  // told now and then, 0..1, never backwards
-};
 
 /// The dots' indices in an order whose way is never longer than the one given. The dots should be sorted
 /// along a Hilbert curve (core/placing/dot_order.h), so that consecutive ones are near each other.

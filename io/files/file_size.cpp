@@ -1,9 +1,9 @@
 #include "io/files/file_size.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <sstream>
 
 #include "core/output/raster.h"
@@ -34,57 +34,68 @@ DotPieces first_of(const DotStream& dots) {
     return first;
 }
 
-double text_bytes(DrawingFormat format, const DrawingSettings& settings, const DrawingToSave& drawing,
-                  const DotPieces& first) {
-    const auto bytes_of = [&](const DotPieces& dots, std::size_t tiles) {
+double bytes_of(DrawingFormat format, const DrawingSettings& settings, const DrawingToSave& drawing) {
+    std::stringstream out;
+    write_drawing(out, format, settings, drawing, "");
+    out.seekp(0, std::ios::end);
+    return static_cast<double>(out.tellp());
+}
+
+double text_bytes(DrawingFormat format, const DrawingSettings& settings, const DrawingToSave& drawing) {
+    const DotPieces first = first_of(drawing.dots);
+    const auto with = [&](const DotPieces& dots, std::size_t tiles) {
         DrawingToSave some = drawing;
         some.dots = stream_of(dots, drawing.dots.scale);
         some.dots.count = drawing.dots.count;  // which has a say in the number of decimals
         some.tiles.resize(tiles);
-        std::ostringstream out;
-        write_drawing(out, format, settings, some, "");
-        return static_cast<double>(out.tellp());
+        return bytes_of(format, settings, some);
     };
     const auto rest = [](std::uint64_t all, std::size_t some) {
         return static_cast<double>(all) / static_cast<double>(std::max<std::size_t>(some, 1));
     };
     const std::size_t tiles = std::min(drawing.tiles.size(), kFirst);
-    const double frame = bytes_of({}, 0);
-    return frame + (bytes_of(first, 0) - frame) * rest(drawing.dots.count, first.size()) +
-           (bytes_of({}, tiles) - frame) * rest(drawing.tiles.size(), tiles);
+    const double frame = with({}, 0);
+    return frame + (with(first, 0) - frame) * rest(drawing.dots.count, first.size()) +
+           (with({}, tiles) - frame) * rest(drawing.tiles.size(), tiles);
 }
 
-double pixel_bytes(DrawingFormat format, const DrawingSettings& settings, const DrawingToSave& drawing,
-                   const DotPieces& first) {
-    double radius_mm = drawing.dot_radius_mm;
-    if (first.size() > 0 && !first.pieces.front().radius.empty()) {
-        double sum = 0;
-        for (const Dots& piece : first.pieces)
-            sum = std::reduce(piece.radius.begin(), piece.radius.end(), sum);
-        radius_mm = sum / static_cast<double>(first.size()) * drawing.page.mm_per_page_unit;
-    }
-    const auto is_grey = [](glm::vec3 colour) { return colour.r == colour.g && colour.g == colour.b; };
-    const bool coloured = !is_grey(settings.ink) || !is_grey(settings.paper);
-    const double colours = !drawing.pens.empty() ? 2.3 : coloured ? 1.75 : 1;
-    const double depth = drawing.saving.bits == 16 ? 1.55 : 1,
-                 packing = format == DrawingFormat::tiff ? 1.22 : 1;
-    const double across = 2 * radius_mm * drawing.saving.dpi / kMmPerInch;  // pixels
-    const RasterSize size = raster_size(drawing.page, drawing.saving.dpi);
-    const double pixels = static_cast<double>(size.width) * size.height;
-    const double edges = 4 * std::max(across - 1, 0.5) * static_cast<double>(drawing.dots.count);
-    return colours * depth * packing * std::min(edges, pixels);
+// Of bands across the page, one below the other: a dot that reaches over a band's end is in the next one as
+// what reaches into that from above would be.
+double pixel_bytes(DrawingFormat format, const DrawingSettings& settings, const DrawingToSave& drawing) {
+    constexpr int kBands = 12, kRows = 32;
+    const double pixels_per_unit = drawing.page.mm_per_page_unit * drawing.saving.dpi / kMmPerInch;
+    const double height = raster_size(drawing.page, drawing.saving.dpi).height, apart = height / kBands;
+    const double rows = std::clamp(std::floor(apart), 1.0, double{kRows});
+    DotPieces dots;
+    drawing.dots.for_each_piece([&](const Dots& piece) {
+        Dots& own = dots.pieces.emplace_back();
+        own.pen = piece.pen;
+        for (std::size_t i = 0; i < piece.size(); ++i) {
+            const double y = piece.y[i] * pixels_per_unit;
+            const double band = std::clamp(std::floor(y / apart), 0.0, kBands - 1.0);
+            const double in_band = y - band * apart - (apart - rows) / 2;
+            if (in_band < 0 || in_band >= rows) continue;
+            own.x.push_back(piece.x[i]);
+            own.y.push_back(static_cast<float>((band * rows + in_band) / pixels_per_unit));
+            if (!piece.radius.empty()) own.radius.push_back(piece.radius[i]);
+        }
+        return true;
+    });
+    DrawingToSave bands = drawing;
+    bands.dots = stream_of(dots, drawing.dots.scale);
+    bands.page.height_mm = kBands * rows / drawing.saving.dpi * kMmPerInch;
+    return bytes_of(format, settings, bands) * height / (kBands * rows);
 }
 
 }  // namespace
 
 std::optional<double> estimated_bytes(DrawingFormat format, const DrawingSettings& settings,
                                       const DrawingToSave& drawing) {
-    const DotPieces first = first_of(drawing.dots);
     if (format == DrawingFormat::pdf) check_fits_pdf(drawing.page, drawing.dots.count);
-    if (!has_pixels(format)) return text_bytes(format, settings, drawing, first);
-    const double bytes = pixel_bytes(format, settings, drawing, first);
-    if (draws_strokes(settings) || drawing.strokes) return std::nullopt;
-    return bytes;
+    if (!has_pixels(format)) return text_bytes(format, settings, drawing);
+    raster_size(drawing.page, drawing.saving.dpi);  // throws for one that is too large
+    if (settings.style != DrawingStyle::dots || drawing.strokes) return std::nullopt;
+    return pixel_bytes(format, settings, drawing);
 }
 
 }  // namespace dapple

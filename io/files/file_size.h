@@ -7,10 +7,9 @@
 
 namespace dapple {
 
-/// Bytes, about. Of text the format's own writer writes the first dots, and the rest is taken to be like
-/// them. Pixels are counted along the dots' edges, where all of a compressed picture lies: what they come to
-/// was measured, and errs by a fifth; none where a pen's strokes are drawn, of which nothing is known so
-/// simply. Throws std::runtime_error as the writer would.
+/// Bytes, within some 10 %. The format's own writer writes a part: of text the first dots, of pixels bands
+/// across the page. Empty for lines from dot to dot in pixels, which a part does not stand for. Throws
+/// std::runtime_error as the writer would.
 std::optional<double> estimated_bytes(DrawingFormat format, const DrawingSettings& settings,
                                       const DrawingToSave& drawing);
 

@@ -27,14 +27,14 @@ DrawingFormat drawing_format(const std::filesystem::path& path) {
 namespace {
 
 bool save(const DrawnPage& page, const PlannedDrawing& drawing, const DrawingFile& file,
-          const std::filesystem::path& path, const SavingWatch& watch) {
+          const std::filesystem::path& path, const Watch& watch) {
     const DrawingToSave part = drawing_on(page, drawing, file, watch.stop);
     return !watch.stop.stop_requested() && save_drawing(path, file.settings, part, watch);
 }
 
 }  // namespace
 
-bool save_page(const PlannedDrawing& drawing, const DrawingFile& file, const SavingWatch& watch) {
+bool save_page(const PlannedDrawing& drawing, const DrawingFile& file, const Watch& watch) {
     const PageLayout layout = drawing.layout();
     if (!is_several(file.settings.sheets))
         return save(drawn_page(layout, file.saving), drawing, file, file.path, watch);
@@ -107,7 +107,7 @@ DrawingFormat format_of(const std::filesystem::path& path, const DrawingToSave& 
 }
 
 bool save_drawing(const std::filesystem::path& path, const DrawingSettings& settings,
-                  const DrawingToSave& drawing, const SavingWatch& watch) {
+                  const DrawingToSave& drawing, const Watch& watch) {
     const DotOrder order = order_of(drawing, format_of(path, drawing), settings.style);
     if (order == DotOrder::recursion) return save_ordered(path, settings, drawing, watch);
     // Half of the progress is the pen's way.
@@ -125,7 +125,7 @@ bool save_drawing(const std::filesystem::path& path, const DrawingSettings& sett
 }
 
 bool save_ordered(const std::filesystem::path& path, const DrawingSettings& settings,
-                  const DrawingToSave& drawing, const SavingWatch& watch) {
+                  const DrawingToSave& drawing, const Watch& watch) {
     const bool to_standard_output = path == kStandardStream;
     const DrawingFormat format = format_of(path, drawing);
     const std::string title = to_standard_output ? "Drawing" : printable(path.stem().string());

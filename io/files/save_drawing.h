@@ -2,15 +2,14 @@
 // A drawing into a file, for the window and the command line alike.
 
 #include <filesystem>
-#include <functional>
 #include <ostream>
-#include <stop_token>
 #include <string>
 
 #include "core/drawing/drawing.h"
 #include "core/drawing/write_drawing.h"
 #include "core/output/drawing_format.h"
 #include "core/output/ink.h"
+#include "core/watch.h"
 
 namespace dapple {
 
@@ -18,12 +17,6 @@ namespace dapple {
 
 /// What a name's ending says, in upper or lower case. Throws std::runtime_error if it is another.
 DrawingFormat drawing_format(const std::filesystem::path& path);
-
-/// For someone who waits.
-struct SavingWatch {
-    std::stop_token stop;                        // asks to give up
-    std::function<void(double share)> progress;  // told now and then how much is written, 0..1
-};
 
 /// What stands for the standard input and the standard output in place of a file's name.
 inline constexpr const char* kStandardStream = "-";
@@ -47,17 +40,17 @@ DrawingFormat format_of(const std::filesystem::path& path, const DrawingToSave& 
 /// save_atomically() throw, or if the format cannot hold such a drawing. In both cases an existing file stays
 /// as it was.
 bool save_ordered(const std::filesystem::path& path, const DrawingSettings& settings,
-                  const DrawingToSave& drawing, const SavingWatch& watch = {});
+                  const DrawingToSave& drawing, const Watch& watch = {});
 
 /// The same of dots in any order: they are put in order_of() first.
 bool save_drawing(const std::filesystem::path& path, const DrawingSettings& settings,
-                  const DrawingToSave& drawing, const SavingWatch& watch = {});
+                  const DrawingToSave& drawing, const Watch& watch = {});
 
 // A page into its file, or its sheets into theirs.
 
 /// Writes the page or the region of it that is chosen, or its sheets and their plan: see files_of() in
 /// sheet_files.h. False if stopped: sheets that were written before then stay. Throws what save_drawing()
 /// throws, or if the sheets' overlap is too wide or the region does not lie on the page.
-bool save_page(const PlannedDrawing& drawing, const DrawingFile& file, const SavingWatch& watch);
+bool save_page(const PlannedDrawing& drawing, const DrawingFile& file, const Watch& watch);
 
 }  // namespace dapple

@@ -98,7 +98,7 @@ fs::path frame_file(const fs::path& folder, int frame) {
     return folder / fmt::format("frame-{:04}.png", frame + 1);
 }
 
-bool save_frames(const fs::path& folder, const FilmFrame& frame, int frames, const SavingWatch& watch) {
+bool save_frames(const fs::path& folder, const FilmFrame& frame, int frames, const Watch& watch) {
     make_folder(folder);
     for (int i = 0; i < frames; ++i) {
         if (watch.stop.stop_requested()) return false;
@@ -132,8 +132,7 @@ std::vector<fs::path> files_of(const fs::path& path, const FilmChoice& choice) {
     return frames;
 }
 
-bool save_film(const fs::path& path, const FilmFrame& frame, const FilmChoice& choice,
-               const SavingWatch& watch) {
+bool save_film(const fs::path& path, const FilmFrame& frame, const FilmChoice& choice, const Watch& watch) {
     check_film_path(path);
     const int frames = frames_of(choice);
     if (!is_film(path)) return save_frames(path, frame, frames, watch);

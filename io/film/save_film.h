@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/image/grid.h"
+#include "core/watch.h"
 #include "io/files/save_drawing.h"
 #include "io/film/film.h"
 
@@ -42,6 +43,6 @@ std::vector<std::filesystem::path> files_of(const std::filesystem::path& path, c
 /// Returns false if stopped; then a film that was at that place is still there, while of a folder's frames
 /// those that were written stay. Throws what check_film_path(), save_atomically() and the frames throw.
 bool save_film(const std::filesystem::path& path, const FilmFrame& frame, const FilmChoice& choice,
-               const SavingWatch& watch = {});
+               const Watch& watch = {});
 
 }  // namespace dapple

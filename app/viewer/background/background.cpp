@@ -2,10 +2,9 @@
 
 #include <tbb/task_scheduler_observer.h>
 
+#if defined(DAPPLE_LINUX)
 #include <sys/resource.h>
 #include <unistd.h>
-
-#if defined(DAPPLE_LINUX)
 #endif
 
 namespace dapple {

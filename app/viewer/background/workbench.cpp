@@ -1,6 +1,5 @@
 #include "app/viewer/background/workbench.h"
 
-#include <malloc.h>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -12,6 +11,7 @@
 #include "io/files/tile_library.h"
 
 #ifdef __GLIBC__
+#include <malloc.h>
 #endif
 
 namespace dapple {

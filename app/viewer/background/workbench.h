@@ -18,6 +18,7 @@
 #include "app/viewer/background/dots_request.h"
 #include "app/viewer/background/tile_view.h"
 #include "core/drawing/pipeline.h"
+#include "core/watch.h"
 #include "io/files/picture.h"
 #include "io/files/save_drawing.h"
 
@@ -67,7 +68,7 @@ struct DotsPlaced {
 class Workbench;
 
 /// Writes a file; false if stopped.
-using WriteFile = std::function<bool(const SavingWatch&)>;
+using WriteFile = std::function<bool(const Watch&)>;
 /// Places what is to be written. Empty if stopped.
 using PrepareFile = std::function<WriteFile(Workbench&, std::stop_token)>;
 

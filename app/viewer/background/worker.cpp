@@ -1,4 +1,5 @@
 #include "app/viewer/background/worker.h"
+#include "core/watch.h"
 
 #include <algorithm>
 #include <utility>
@@ -244,7 +245,7 @@ void Worker::write_next() {
         }
         written_ = std::move(next);
         writing_.begin([this](const Background<WorkerEvent>::Task& todo) -> std::optional<WorkerEvent> {
-            const SavingWatch watch{todo.stop(), [&todo](double share) { todo.report_share(share); }};
+            const Watch watch{todo.stop(), [&todo](double share) { todo.report_share(share); }};
             if (written_->write(watch)) return DrawingSaved{written_->save.path};
             return SavingCancelled{written_->save.path};
         });

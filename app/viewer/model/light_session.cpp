@@ -26,7 +26,7 @@ bool is_long(const Background<Result>& work) {
 }
 
 template <class Task>
-LightWatch watch_of(const Task& todo) {
+Watch watch_of(const Task& todo) {
     return {todo.stop(), [&todo](double share) { todo.report_share(share); }};
 }
 

@@ -56,8 +56,7 @@ LitMap::LitMap(EnvironmentMap environment)
       natural_exposure(dapple::natural_exposure(map)),
       preview(preview_of(map)) {}
 
-std::optional<SampledMap> sampled(const LitMap& lit, const LightsSettings& settings,
-                                  const LightWatch& watch) {
+std::optional<SampledMap> sampled(const LitMap& lit, const LightsSettings& settings, const Watch& watch) {
     RankedTile tile = tile_named(settings.tile, RankingMethod::energy);
     const LightSamples lights = light_samples(lit.map, tile, settings.request, watch);
     if (lights.samples.empty()) return std::nullopt;

@@ -13,6 +13,7 @@
 #include "core/image/grid.h"
 #include "core/lights/light_samples.h"
 #include "core/lights/lit_objects.h"
+#include "core/watch.h"
 
 namespace dapple {
 
@@ -42,7 +43,6 @@ struct SampledMap {
     Grid<std::uint32_t> nearest;
 };
 /// Nothing if stopped. Throws std::runtime_error if the tile or its samples cannot be had.
-std::optional<SampledMap> sampled(const LitMap& lit, const LightsSettings& settings,
-                                  const LightWatch& watch = {});
+std::optional<SampledMap> sampled(const LitMap& lit, const LightsSettings& settings, const Watch& watch = {});
 
 }  // namespace dapple

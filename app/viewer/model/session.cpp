@@ -348,7 +348,7 @@ PrepareFile Session::file_to_write(const fs::path& path, const DrawingSettings& 
         request.drawing.placing.thresholds = needs_thresholds(file);
         const auto placed = bench.pipeline().drawing(bench.plan(request), stop);
         if (!placed) return {};
-        return [placed, file](const SavingWatch& watch) { return save_page(*placed, file, watch); };
+        return [placed, file](const Watch& watch) { return save_page(*placed, file, watch); };
     };
 }
 
@@ -370,7 +370,7 @@ void Session::copy_picture() {
                              Workbench& bench, const std::stop_token& stop) -> WriteFile {
         WriteFile write = prepared(bench, stop);
         if (!write) return {};
-        return [path, write = std::move(write)](const SavingWatch& watch) {
+        return [path, write = std::move(write)](const Watch& watch) {
             const auto remove = [](const fs::path* file) {
                 std::error_code ignored;
                 fs::remove(*file, ignored);
@@ -402,7 +402,7 @@ void Session::save_film(const fs::path& path) {
     film_path_ = path;
     // With a bench of its own, so that films are drawn beside further placing.
     const auto draw = [choice, path, read = picture_.read, drawing = settings.drawing,
-                       density = settings.density](const SavingWatch& watch) {
+                       density = settings.density](const Watch& watch) {
         Workbench bench;
         bench.set_picture(read());
         const DrawingSettings filmed = film_settings(drawing, choice.kind);

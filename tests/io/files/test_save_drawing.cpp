@@ -188,7 +188,7 @@ TEST_CASE("progress rises from nothing to all, in every format") {
          {"a.svg", "a.csv", "a.png", "a.pdf", "a.tif", "a.gcode", "a.hpgl", "a.dxf", "a.json"}) {
         CAPTURE(name);
         std::vector<double> shares;
-        const SavingWatch watch{.stop = {}, .progress = [&](double share) { shares.push_back(share); }};
+        const Watch watch{.stop = {}, .progress = [&](double share) { shares.push_back(share); }};
         CHECK(save_drawing(folder / name, {}, many_to_save(dots), watch));
         REQUIRE(shares.size() > 3);
         CHECK(shares.front() == 0);

@@ -124,7 +124,7 @@ TEST_CASE("a first look is drawn until the whole picture is there, and only that
     int saved_side = 0;
     worker.save("out.svg", [&](Workbench& bench, const std::stop_token&) -> WriteFile {
         saved_side = bench.pipeline().light().width;
-        return [](const SavingWatch&) { return true; };
+        return [](const Watch&) { return true; };
     });
     // Settings go on being changed meanwhile.
     DotsRequest slow = dots(20'000);
@@ -217,7 +217,7 @@ TEST_CASE("saving runs with the picture's bench, and tells how it went") {
     worker.save("a.svg", [&](Workbench& bench, std::stop_token) -> WriteFile {
         PlacedDrawing drawing;
         bench.place(dots(77), drawing);
-        return [&saved, drawing](const SavingWatch&) {
+        return [&saved, drawing](const Watch&) {
             saved = drawing.dots.size();
             return true;
         };
@@ -230,7 +230,7 @@ TEST_CASE("saving runs with the picture's bench, and tells how it went") {
     auto event = listen(worker, [](const WorkerEvent& n) { return failed(n) != nullptr; });
     CHECK(failed(event.back())->message == "there is nothing to draw");
     worker.save("c.svg", [](Workbench&, std::stop_token) -> WriteFile {
-        return [](const SavingWatch&) -> bool { throw std::runtime_error("the disk is full"); };
+        return [](const Watch&) -> bool { throw std::runtime_error("the disk is full"); };
     });
     event = listen(worker, [](const WorkerEvent& n) { return failed(n) != nullptr; });
     CHECK(failed(event.back())->message == "the disk is full");
@@ -243,7 +243,7 @@ TEST_CASE("dots are placed while a file is written, until that is done or cancel
     worker.place(dots(100));
     std::atomic<bool> half_way = false;
     worker.save("a.svg", [&](Workbench&, std::stop_token) -> WriteFile {
-        return [&](const SavingWatch& watch) {
+        return [&](const Watch& watch) {
             watch.progress(0.5);
             half_way = true;
             while (!watch.stop.stop_requested()) std::this_thread::yield();
@@ -401,7 +401,7 @@ TEST_CASE(
     std::atomic<bool> writes = false;
     std::atomic<int> written = 0;
     const auto endless = [&](Workbench&, std::stop_token) -> WriteFile {
-        return [&](const SavingWatch& watch) {
+        return [&](const Watch& watch) {
             writes = true;
             if (!wait_until([&] { return watch.stop.stop_requested(); })) ++written;
             return false;
@@ -414,9 +414,8 @@ TEST_CASE(
         return writes.load();
     }));
     worker.cancel_saving();
-    worker.save("c.svg", [](Workbench&, std::stop_token) -> WriteFile {
-        return [](const SavingWatch&) { return true; };
-    });
+    worker.save("c.svg",
+                [](Workbench&, std::stop_token) -> WriteFile { return [](const Watch&) { return true; }; });
     std::vector<std::string> cancelled, saved;
     listen(worker, [&](const WorkerEvent& event) {
         if (const auto* one = std::get_if<SavingCancelled>(&event)) cancelled.push_back(one->path);

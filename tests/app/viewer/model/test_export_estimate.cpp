@@ -161,8 +161,7 @@ TEST_CASE("several pens' files have about the size told before, and so has a reg
         REQUIRE(info.bytes);
         session.save(folder / name);
         REQUIRE(brings([&] { return session.saved_path() == folder / name; }));
-        CHECK(static_cast<double>(fs::file_size(folder / name)) ==
-              doctest::Approx(*info.bytes).epsilon(has_pixels(drawing_format(name)) ? 0.25 : 0.1));
+        CHECK(static_cast<double>(fs::file_size(folder / name)) == doctest::Approx(*info.bytes).epsilon(0.1));
     }
 }
 
@@ -193,8 +192,7 @@ TEST_CASE("saved files have the order and resolution chosen, and about the size 
         session.save(folder / name);
         CHECK(session.saved_path() == before);
         REQUIRE(brings([&] { return session.saved_path() == folder / name; }));
-        CHECK(static_cast<double>(fs::file_size(folder / name)) ==
-              doctest::Approx(*info.bytes).epsilon(has_pixels(drawing_format(name)) ? 0.25 : 0.1));
+        CHECK(static_cast<double>(fs::file_size(folder / name)) == doctest::Approx(*info.bytes).epsilon(0.1));
     }
     // x_mm,y_mm,radius_mm,level,rank,critical_scale,...: by priority the sixth column ascends.
     std::ifstream table(folder / "a.csv"), svg(folder / "a.svg");
