@@ -37,8 +37,7 @@ DotPieces first_of(const DotStream& dots) {
 double bytes_of(DrawingFormat format, const DrawingSettings& settings, const DrawingToSave& drawing) {
     std::stringstream out;
     write_drawing(out, format, settings, drawing, "");
-    out.seekp(0, std::ios::end);
-    return static_cast<double>(out.tellp());
+    return static_cast<double>(out.view().size());
 }
 
 double text_bytes(DrawingFormat format, const DrawingSettings& settings, const DrawingToSave& drawing) {
