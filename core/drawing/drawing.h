@@ -10,6 +10,7 @@
 
 #include "core/drawing/settings.h"
 #include "core/image/rectangle.h"
+#include "core/lines/inking.h"
 #include "core/output/drawing_format.h"
 #include "core/output/sheet.h"
 #include "core/placing/dot_order.h"
@@ -66,6 +67,7 @@ struct DrawingToSave {
     /// Where lines from dot to dot are drawn on a part of the page: the dots are the whole page's, and `page`
     /// is the part, whose corner is so many millimetres from theirs.
     std::optional<glm::dvec2> part_corner_mm = {};
+    DrawnInking inking = {};  // lines and solid blacks among the dots
     std::optional<StrokeStream> strokes =
         {};  // what is drawn in the dots' place, if not what follows from them
 };

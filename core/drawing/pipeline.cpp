@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "core/drawing/inked_picture.h"
 #include "core/drawing/relaxed_stream.h"
 #include "core/image/auto_tone.h"
 #include "core/image/detail.h"
@@ -32,6 +33,11 @@ constexpr double kSameLevel = 0.1;
 // Cells have so many pixels across from dot to dot where they are darkest, as long as there are no more in
 // all.
 constexpr double kPixelsApart = 4, kMostFinePixels = 1e6;
+
+// The side of the smallest solid black, in page units.
+constexpr double kLeastSolid = 0.02;
+// Nearer than that to one, a line would draw its outline once more.
+constexpr double kAlongSolid = 0.004;
 
 // Figure 8 emits every fourth dot once more, a little more or less.
 constexpr double kWithDuplicates = 1.4;
@@ -141,6 +147,9 @@ void Pipeline::forget_densities() {
     toned_.forget();
     masked_.forget();
     dots_by_scale_.forget();
+    lines_.forget();
+    blacks_.forget();
+    room_.forget();
 }
 
 void Pipeline::set_plain(std::optional<Density> density) {
@@ -344,6 +353,50 @@ void Pipeline::tone_for(DrawingPlan& plan, const DrawingRequest& request) {
     dots_by_scale_.keep(scaled, dots);
 }
 
+// Lines and solid blacks, and the density with room for them. Lines are found on the picture as it is
+// exposed, whatever its tone; black is what the tone makes black.
+void Pipeline::add_inking(DrawingPlan& plan, const DrawingRequest& request) {
+    // What is drawn must not depend on where the drawing is cut or shown, so the gap follows from the plan.
+    const double dots = std::max(plan.dots(), 1.0);
+    const double spacing = std::sqrt(plan.density->width() * double(plan.density->height()) / dots) /
+                           plan.density->longer_side();
+    const double radius = plan.largest_share() * plan.radius(plan.placing.count ? scale_for(*plan.density, dots)
+                                                                                : plan.placing.scale);
+    const Inked inked{plan.density, request.contours, request.solid, {radius, spacing}};
+    const Room& room = room_.of(inked, [&] {
+        const LitForLines lit{plan.tone.exposure, plan.tone.invert};
+        const Grid<float> light = light_for_lines(framed_light(), lit.exposure);
+        const auto as_drawn = [&](Grid<float> seen) { return lit.invert ? negative(std::move(seen)) : seen; };
+        Inking inking;
+        if (request.contours > 0)
+            inking.lines = lines_shown(lines_.of(lit, [&] { return find_lines(as_drawn(light)); }),
+                                       request.contours);
+        if (request.solid < 1) {
+            inking.areas = blacks_.of({plan.tone, request.solid}, [&] {
+                return find_blacks(as_drawn(toned_light(light, plan.tone)), request.solid, kLeastSolid);
+            });
+            inking.lines = outside(inking.lines, inking.areas, kAlongSolid);
+        }
+        if (!request.mask.empty())
+            inking = within(std::move(inking),
+                            masked(Grid<float>(plan.density->width(), plan.density->height(), 1), request.mask.without_finer(),
+                                   framing_of_light(), {light_.width, light_.height}));
+        Room made;
+        const InkCurve ink(plan.ink);
+        inking = fitted(std::move(inking), *plan.density, ink, inked.dots);
+        made.times = room_for_dots(inking, *plan.density, ink, inked.dots);
+        made.density = std::make_shared<const Density>(with_room(*plan.density, made.times));
+        made.inking = std::make_shared<const Inking>(std::move(inking));
+        return made;
+    });
+    plan.inking = room.inking;
+    plan.density = room.density;
+    if (plan.pens.empty()) return;
+    plan.by_pen.all = room.density;
+    for (std::shared_ptr<const Density>& each : plan.by_pen.each)
+        each = std::make_shared<const Density>(with_room(*each, room.times));
+}
+
 namespace {
 
 // As large as pens draw them.
@@ -397,6 +450,7 @@ DrawingPlan Pipeline::plan(const DrawingRequest& asked, std::uint64_t most_dots)
         static_cast<double>(most_dots) / (request.placer == PlacerKind::exact ? 1 : kWithDuplicates);
     if (!plan.pens.empty()) plan.by_pen = by_pen_under(request.mask);
     if (plain_ && plan.steps > 0) plan.density = plain_for(dots);
+    if (!plain_ && has_inking(request)) add_inking(plan, request);
     plan.lowered = dots > most;
     if (plan.lowered && plan.placing.count) plan.placing.count = static_cast<std::uint64_t>(most);
     if (plan.lowered && !plan.placing.count) plan.placing.scale = scale_for(*plan.density, most);

@@ -22,6 +22,7 @@
 #include "core/image/detail.h"
 #include "core/image/histogram.h"
 #include "core/image/ink.h"
+#include "core/lines/inking.h"
 #include "core/placing/dot_stream.h"
 #include "core/placing/page.h"
 #include "core/placing/stipple.h"
@@ -86,6 +87,7 @@ struct DrawingPlan {
     Palette pens;                // several, in the order in which they draw; none: one
     PenDensities by_pen;         // whose sum is the density above
     Refinement finer;            // where there are more dots for it, and smaller ones
+    std::shared_ptr<const Inking> inking;  // lines and solid blacks among the dots; none: null
     PageSetup setup;
     glm::ivec2 pixels{1, 1};  // of the picture, framed
 
@@ -223,6 +225,27 @@ class Pipeline {
         Mask mask;
         bool operator==(const Masked&) const = default;
     };
+    struct LitForLines {  // lines and blacks are found on
+        float exposure = 0;
+        bool invert = false;
+        bool operator==(const LitForLines&) const = default;
+    };
+    struct Blackened {  // solid shapes
+        Tone tone;
+        double solid = 1;
+        bool operator==(const Blackened&) const = default;
+    };
+    struct Inked {  // the density beside lines and blacks
+        std::shared_ptr<const Density> density;
+        double contours = 0, solid = 1;
+        DotsAmongLines dots;
+        bool operator==(const Inked&) const = default;
+    };
+    struct Room {
+        std::shared_ptr<const Inking> inking;
+        Grid<float> times;
+        std::shared_ptr<const Density> density;
+    };
     struct Scaled {   // how many dots a scale comes to, which black and steps follow from and decide about
         Toned toned;  // as the histogram has it
         Mask mask;
@@ -242,6 +265,7 @@ class Pipeline {
     Tone usual_tone(const Histogram& histogram, const Tone& own, double strength);
     void tone_for(DrawingPlan& plan, const DrawingRequest& request);
     std::shared_ptr<const Density> plain_for(double dots);
+    void add_inking(DrawingPlan& plan, const DrawingRequest& request);
 
     void frame(const PageSetup& setup);
     /// The framing in values of the light: those that have a pixel of it.
@@ -265,6 +289,9 @@ class Pipeline {
     Cached<Toned, PenDensities> toned_;
     Cached<Masked, std::shared_ptr<const Density>> masked_;
     Cached<Scaled, double> dots_by_scale_;
+    Cached<LitForLines, std::vector<InkLine>> lines_;
+    Cached<Blackened, std::vector<InkArea>> blacks_;
+    Cached<Inked, Room> room_;
     std::optional<RankedTile> tile_;
     double tone_ms_ = 0;
 };

@@ -81,12 +81,21 @@ struct DrawingRequest {
     PageSetup page = {};
     PenChoice pens = {};       // what several draw follows from the picture's colours
     glm::vec3 paper = kWhite;  // sRGB-encoded; has a say in that alone
+    /// How much of the picture's contours is drawn as lines among the dots, 0..1; 0: none.
+    double contours = 0;
+    /// What is darker than that becomes a solid shape, 0..1 as ink covers it; 1: nothing does.
+    double solid = 1;
     DrawingStyle style = DrawingStyle::dots;
     DotMark mark = {};          // each dot's shape, where the style is dots
     double pen_width_mm = 0.3;  // of the strokes that shapes and lines are drawn with
 
     bool operator==(const DrawingRequest&) const = default;
 };
+
+/// Whether lines or solid blacks are drawn among the dots.
+inline bool has_inking(const DrawingRequest& request) {
+    return request.contours > 0 || request.solid < 1;
+}
 
 /// Whether a pen draws lines, rather than dots being filled circles.
 bool draws_strokes(const DrawingRequest& request);

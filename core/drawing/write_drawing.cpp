@@ -40,6 +40,36 @@ PagePart reached(const DrawnPage& page, const DrawingFile& file, double radius) 
 
 }  // namespace
 
+namespace {
+
+// Its place in the palette.
+int darkest_of(const Palette& pens) {
+    const auto light = [](const Pen& pen) { return luminance(linear_of(pen.colour)); };
+    return pens.empty() ? 0 : static_cast<int>(std::ranges::min_element(pens, {}, light) - pens.begin());
+}
+
+// Lines and solid blacks on a part of the page: filled where dots are filled circles or pixels, else drawn by
+// the darkest pen.
+DrawnInking inking_on(const Excerpt& excerpt, const DrawingPlan& plan, const DrawingFile& file) {
+    DrawnInking drawn{.shapes = {}, .strokes = {}, .pen = darkest_of(plan.pens)};
+    const double unit = excerpt.size.mm_per_page_unit;
+    const glm::dvec2 corner = corner_of(excerpt);
+    const glm::dvec2 size = glm::dvec2(excerpt.size.width_mm, excerpt.size.height_mm) / unit;
+    if (has_pixels(file.format) || (has_colours(file.format) && !draws_strokes(file.settings))) {
+        drawn.shapes = shapes_of(*plan.inking, {corner, corner + size}, unit);
+    } else if (!is_table(file.format)) {
+        const std::vector<double> widths = stroke_widths(file.settings.pens, file.settings.pen_width_mm,
+                                                         plan.pens, PenUse::lines);
+        const double pen_mm =
+            widths.empty() ? file.settings.pen_width_mm : widths[static_cast<std::size_t>(drawn.pen)];
+        const Strokes strokes = strokes_of(*plan.inking, pen_mm, unit);
+        drawn.strokes = cut_to({corner * unit, (corner + size) * unit}, stream_of(strokes, pen_mm));
+    }
+    return drawn;
+}
+
+}  // namespace
+
 DrawnPage drawn_page(const PageLayout& layout, const Sheet& sheet) {
     const glm::dvec2 corner = layout.picture.low;
     return {layout, sheet_of(layout.page, {}, corner), sheet_of(layout.page, sheet, corner),
@@ -88,6 +118,7 @@ DrawingToSave drawing_on(const DrawnPage& page, const PlannedDrawing& drawing, c
                          .saving = file.saving,
                          .format = file.format,
                          .settings = file.embedded};
+    if (plan.inking) result.inking = inking_on(page.part, plan, file);
     if (file.settings.show_tiles) result.tiles = drawing.outlines();
     move_to(page.part.part, result.tiles);
     if (draws_lines(file) && !page.draws_whole())
@@ -153,6 +184,7 @@ InkPage ink_page(const DrawingSettings& settings, const DrawingToSave& drawing, 
                  .dots = drawing.dots,
                  .strokes = strokes_of(settings, drawing, format),
                  .dot_radius_mm = drawing.dot_radius_mm,
+                 .inking = drawing.inking,
                  .ink = settings.ink,
                  .pens = drawing.pens,
                  .registration = registration_of(settings, drawing),

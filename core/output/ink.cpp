@@ -24,12 +24,16 @@ class InkReport {
         high_ = side - low_;
     }
 
-    // Reports every 2^15th: a few times a second at least.
-    void next(glm::dvec2 at, double radius_mm = 0) {
+    void check(glm::dvec2 at, double radius_mm = 0) const {
         // Written so that what is not a number fails.
         if (!(at.x >= low_ && at.x <= high_ && at.y >= low_ && at.y <= high_ && radius_mm >= 0 &&
               radius_mm <= high_))
             refuse(at, radius_mm);
+    }
+
+    // Reports every 2^15th: a few times a second at least.
+    void next(glm::dvec2 at, double radius_mm = 0) {
+        check(at, radius_mm);
         if (progress_ && done_ % (1 << 15) == 0)
             progress_(std::min(static_cast<double>(done_) / std::max(count_, 1.0), 1.0));
         ++done_;
@@ -62,7 +66,20 @@ void write_marks(InkWriter& writer, std::span<const CutMark> marks) {
 void write_ink(InkWriter& writer, const InkPage& page, const WritingProgress& progress) {
     const Pen single = single_pen(page.ink);
     const std::span<const Pen> pens = page.pens.empty() ? std::span(&single, 1) : page.pens;
+    InkReport report(page, progress);
+    const auto write_inking = [&] {
+        for (const InkArea& area : page.inking.shapes) {
+            for (const std::vector<glm::dvec2>& ring : area.rings)
+                for (const glm::dvec2 p : ring) report.check(p);
+            writer.shape(area);
+        }
+        stream_of(page.inking.strokes, 0).for_each_stroke([&](std::span<const glm::dvec2> points, int) {
+            for (const glm::dvec2 p : points) report.check(p);
+            writer.stroke(points);
+        });
+    };
     int drawing = -1;
+    bool inked = page.inking.empty();
     const auto take = [&](int number) {
         if (page.pens.empty()) number = 0;
         if (number == drawing) return;
@@ -71,10 +88,11 @@ void write_ink(InkWriter& writer, const InkPage& page, const WritingProgress& pr
         const double own_mm = pen.width_mm > 0 ? pen.width_mm : kUsualLineMm;
         writer.begin_pen(number, pen, page.strokes ? page.strokes->width_of(number) : own_mm);
         write_marks(writer, page.registration);
+        if (!inked && number == page.inking.pen) write_inking();
+        inked = inked || number == page.inking.pen;
     };
     if (page.pens.empty()) take(0);
 
-    InkReport report(page, progress);
     if (page.strokes) {
         page.strokes->for_each_stroke([&](std::span<const glm::dvec2> points, int pen) {
             for (const glm::dvec2 p : points) report.next(p);
@@ -97,6 +115,7 @@ void write_ink(InkWriter& writer, const InkPage& page, const WritingProgress& pr
             return true;
         });
     }
+    if (!inked) take(page.inking.pen);
     writer.end();
 }
 

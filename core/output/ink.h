@@ -17,6 +17,7 @@
 
 #include "core/image/colour.h"
 #include "core/image/rectangle.h"
+#include "core/lines/inking.h"
 #include "core/output/gcode.h"
 #include "core/output/sheet.h"
 #include "core/pens/pen.h"
@@ -37,6 +38,7 @@ struct InkPage {
     DotStream dots = {};                       // filled circles
     std::optional<StrokeStream> strokes = {};  // drawn in the dots' place
     double dot_radius_mm = 0.2;                // of dots that have none of their own
+    DrawnInking inking = {};                   // lines and solid blacks, drawn before their pen's dots
     glm::vec3 ink = kBlack;                    // of a single pen
     std::span<const Pen> pens = {};            // those of the dots or strokes; none: a single one
     std::vector<CutMark> registration = {};    // lines that each pen draws before its dots
@@ -70,6 +72,8 @@ class InkWriter {
     virtual void dot(const InkDot& dot) = 0;
     /// A line through all points, or a touch of the pen at a single one.
     virtual void stroke(std::span<const glm::dvec2> points) = 0;
+    /// A filled shape; only called where the page has shapes.
+    virtual void shape(const InkArea&) {}
     virtual void end() = 0;
 };
 

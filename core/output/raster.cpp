@@ -32,6 +32,18 @@ struct SampledLine {
     int pen;
 };
 
+// The shapes among a pen's dots, in a band that begins with that row of pixels.
+void add_shapes(SampleBand& samples, const InkPage& page, std::size_t pen, double dpi, int first_row) {
+    if (!page.pens.empty() && pen != static_cast<std::size_t>(page.inking.pen)) return;
+    const double samples_per_mm = dpi / kMmPerInch * kSamples;
+    const glm::dvec2 corner(0, static_cast<double>(first_row) * kSamples);
+    for (InkArea shape : page.inking.shapes) {
+        for (std::vector<glm::dvec2>& ring : shape.rings)
+            for (glm::dvec2& p : ring) p = p * samples_per_mm - corner;
+        samples.add_shape(shape.rings);
+    }
+}
+
 struct StrokeCanvas {
     const StrokeStream& strokes;
     RasterSize size;
@@ -65,10 +77,11 @@ struct StrokeCanvas {
 };
 
 // The coverage of a band by one pen's lines.
-Grid<float> band_of_strokes(const StrokeCanvas& canvas, int band, std::span<const SampledLine> lines,
-                            std::size_t pen, bool several) {
+Grid<float> band_of_strokes(const StrokeCanvas& canvas, const InkPage& page, double dpi, int band,
+                            std::span<const SampledLine> lines, std::size_t pen, bool several) {
     const int first_row = band * canvas.band_rows;
     SampleBand samples(canvas.size.width, std::min(canvas.band_rows, canvas.size.height - first_row));
+    add_shapes(samples, page, pen, dpi, first_row);
     const glm::dvec2 corner(0, static_cast<double>(first_row) * kSamples);
     for (const SampledLine& line : lines) {
         if (several && static_cast<std::size_t>(line.pen) != pen) continue;
@@ -105,7 +118,7 @@ void rasterise_strokes(const InkPage& page, std::size_t pens, const RasterReques
         hand_over_bands(
             {.count = end - next, .pens = pens, .threads = request.threads},
             [&](int i, std::size_t pen) {
-                return band_of_strokes(canvas, next + i, lines[i], pen, pens > 1);
+                return band_of_strokes(canvas, page, request.dpi, next + i, lines[i], pen, pens > 1);
             },
             [&](int i, std::span<const Grid<float>> band) { sink((next + i) * canvas.band_rows, band); });
         next = end;
@@ -195,10 +208,12 @@ Stretch stretch_from(int first_band, const Canvas& canvas, std::span<const std::
     return stretch;
 }
 
-// The coverage of the stretch's i-th band by one pen's dots.
-Grid<float> draw_band(const Canvas& canvas, const Stretch& stretch, int i, std::size_t pen) {
+// The coverage of the stretch's i-th band by one pen's dots, and by what lies among them.
+Grid<float> draw_band(const Canvas& canvas, const InkPage& page, double dpi, const Stretch& stretch, int i,
+                      std::size_t pen) {
     const int first_row = (stretch.first_band + i) * canvas.band_rows;
     SampleBand samples(canvas.size.width, std::min(canvas.band_rows, canvas.size.height - first_row));
+    add_shapes(samples, page, pen, dpi, first_row);
     for (std::size_t k = stretch.begin[i]; k < stretch.begin[i + 1]; ++k) {
         if (stretch.pens[k] != pen) continue;
         const glm::vec2 dot = stretch.dots[k];
@@ -223,7 +238,7 @@ void rasterise_dots(const InkPage& page, std::size_t pens, const RasterRequest& 
         const Stretch stretch = stretch_from(next_band, canvas, counts, request.dots_at_once);
         hand_over_bands(
             {.count = stretch.bands(), .pens = pens, .threads = request.threads},
-            [&](int i, std::size_t pen) { return draw_band(canvas, stretch, i, pen); },
+            [&](int i, std::size_t pen) { return draw_band(canvas, page, request.dpi, stretch, i, pen); },
             [&](int i, std::span<const Grid<float>> band) {
                 sink((next_band + i) * canvas.band_rows, band);
             });

@@ -77,9 +77,41 @@ class SampledShapes {
         }
     }
 
+    /// What rings go around more often one way than the other: closed ones, in the same units.
+    template <class Rings>
+    void add_shape(const Rings& rings) {
+        crossings_.resize(static_cast<std::size_t>(band().sample_rows()));
+        for (const auto& ring : rings) {
+            for (std::size_t i = 1; i < ring.size(); ++i) {
+                const glm::dvec2 a = ring[i - 1], b = ring[i];
+                const Span rows = rows_between(std::min(a.y, b.y), std::max(a.y, b.y), {});
+                for (std::int64_t row = rows.first; row <= rows.last; ++row) {
+                    const double y = static_cast<double>(row) + 0.5;
+                    if ((a.y <= y) == (b.y <= y)) continue;
+                    crossings_[static_cast<std::size_t>(row)].push_back(
+                        {a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y)), a.y < b.y ? 1 : -1});
+                }
+            }
+        }
+        for (std::size_t row = 0; row < crossings_.size(); ++row) {
+            std::ranges::sort(crossings_[row], {}, &Crossing::x);
+            int around = 0;
+            for (std::size_t i = 0; i + 1 < crossings_[row].size(); ++i) {
+                around += crossings_[row][i].turn;
+                if (around != 0)
+                    set(static_cast<std::int64_t>(row), crossings_[row][i].x, crossings_[row][i + 1].x, {});
+            }
+            crossings_[row].clear();
+        }
+    }
+
  private:
     struct Span {
         std::int64_t first, last;  // none if last < first
+    };
+    struct Crossing {
+        double x;
+        int turn;
     };
 
     // The samples whose middles lie between, of those from `first` to before `end`. Without the calls that
@@ -105,6 +137,8 @@ class SampledShapes {
 
     Band& band() { return static_cast<Band&>(*this); }
     const Band& band() const { return static_cast<const Band&>(*this); }
+
+    std::vector<std::vector<Crossing>> crossings_;  // by row, while a shape is added
 };
 
 /// The samples of a band as bits, kSamples by kSamples a pixel: sample row after sample row, the leftmost

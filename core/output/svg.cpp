@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/lines/curve.h"
 #include "core/output/drawing_format.h"
 #include "core/text/length.h"
 #include "core/text/text_lines.h"
@@ -110,6 +111,25 @@ class SvgWriter : public InkWriter {
         for (std::size_t i = 1; i < points.size(); ++i) {
             text_ << (i == 1 ? 'L' : i % 16 == 1 ? '\n' : ' ');
             place(points[i]);
+        }
+        text_ << "\"/>\n";
+    }
+
+    void shape(const InkArea& area) override {
+        text_ << R"(<path d=")";
+        for (const std::vector<glm::dvec2>& ring : area.rings) {
+            text_ << 'M';
+            place(ring.front());
+            const std::vector<Cubic> curves = smooth_curve(ring);
+            for (std::size_t i = 0; i < curves.size(); ++i) {
+                text_ << (i % 8 == 7 ? "\nC" : "C");
+                place(curves[i][1]);
+                text_ << ' ';
+                place(curves[i][2]);
+                text_ << ' ';
+                place(curves[i][3]);
+            }
+            text_ << 'Z';
         }
         text_ << "\"/>\n";
     }

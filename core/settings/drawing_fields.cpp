@@ -71,7 +71,7 @@ static void describe(Fields& fields, PageSetup& page) {
 
 void describe(Fields& fields, DrawingSettings& drawing) {
     auto& [automatic_tone, tone_strength, automatic_exposure, tone, mask, placer, placing, relax, settle_for,
-           dot_size, page, pens, paper, style, mark, pen_width_mm] = static_cast<DrawingRequest&>(drawing);
+           dot_size, page, pens, paper, contours, solid, style, mark, pen_width_mm] = static_cast<DrawingRequest&>(drawing);
     auto& [tile, ranking, sheets, registration, ink, background, show_tiles] =
         static_cast<DrawnWith&>(drawing);
     fields.flag(setting::automatic_tone, automatic_tone);
@@ -103,6 +103,8 @@ void describe(Fields& fields, DrawingSettings& drawing) {
     fields.colour(setting::paper, paper);
     fields.flag(setting::background, background);
     fields.flag(setting::show_tiles, show_tiles);
+    fields.number(setting::contours, contours);
+    fields.number(setting::solid, solid);
     fields.choice(setting::style, style);
     fields.text(setting::dot_shape, text_of(mark),
                 [&mark = mark](const std::string& text) { mark = parse_dot_mark(text); });

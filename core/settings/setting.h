@@ -192,6 +192,18 @@ inline constexpr Setting largest{.names = {"largest_mm", "Largest"},
                                  .format = "%.3f",
                                  .length = true,
                                  .help = "The radius of the dots where the picture is darkest"};
+inline constexpr Setting contours{
+    .names = {"contours", "Contours", "--contours"},
+    .range = {0, 1},
+    .help =
+        "Draws the picture's contours as lines among the dots, as in pen and ink: the strongest at a low "
+        "value, more and more of them up to 1"};
+inline constexpr Setting solid{
+    .names = {"solid", "Solid black", "--solid"},
+    .range = {0.5, 1},
+    .usual = 1,
+    .help =
+        "Fills what is darker than that in place of dots: about 0.9 for what looks black, 1 for nothing"};
 inline constexpr Setting style{.names = {"style", "Draw", "--style"}};
 inline constexpr Setting dot_shape{.names = {"dot_shape", "Dot shape", "--dot-shape"}};
 inline constexpr Setting pen_width{

@@ -289,6 +289,8 @@ void add_style_options(CLI::App& app, DrawingSettings& settings) {
         "'M0,0 L1,1', of M, L, H, V, C, Q, A and Z")
         ->default_str(text_of(settings.mark));
     add_length(app, setting::pen_width, settings.pen_width_mm);
+    add_number(app, setting::contours, settings.contours);
+    add_number(app, setting::solid, settings.solid);
 }
 
 void add_tone_options(CLI::App& app, DrawingSettings& settings) {

@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "core/lines/curve.h"
 #include "core/text/length.h"
 #include "core/text/shown_text.h"
 #include "io/files/pdf_layers.h"
@@ -91,6 +92,21 @@ class PdfWriter : public InkWriter {
             draw_path(width_mm_);
             cairo_move_to(context_, p.x, p.y);  // the stroke goes on: its ends are round
         }
+    }
+
+    void shape(const InkArea& area) override {
+        for (const std::vector<glm::dvec2>& ring : area.rings) {
+            const glm::dvec2 begin = ring.front() * kPointsPerMm;
+            cairo_move_to(context_, begin.x, begin.y);
+            for (const Cubic& curve : smooth_curve(ring)) {
+                const glm::dvec2 leave = curve[1] * kPointsPerMm, arrive = curve[2] * kPointsPerMm,
+                                 to = curve[3] * kPointsPerMm;
+                cairo_curve_to(context_, leave.x, leave.y, arrive.x, arrive.y, to.x, to.y);
+                ++shown_;
+            }
+            cairo_close_path(context_);
+        }
+        cairo_fill(context_);
     }
 
     // How much of the ink was gathered before the library begins to write.

@@ -168,6 +168,8 @@ bool draw_dots_panel(DrawingSettings& settings, const DrawnInfo& drawn, LengthUn
     bool changed = draw_amount(settings.placing, drawn, follows, unit);
     changed |= draw_size(settings.dot_size, drawn, unit);
     changed |= draw_strokes(settings, unit);
+    changed |= slider_row(setting::contours, settings.contours);
+    changed |= slider_row(setting::solid, settings.solid);
     {
         const Absent absent(why_only_exact(settings.placer));
         changed |= draw_relax(settings.relax, drawn);
