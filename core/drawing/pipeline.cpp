@@ -256,11 +256,11 @@ double DrawingPlan::dots_for_tone() const {
 }
 
 // Density, count or scale, steps and black, each of which may follow from the others.
-void Pipeline::tone_for(DrawingPlan& plan, const DrawingRequest& request) {
+void Pipeline::tone_for(DrawingPlan& plan, const DrawingSettings& settings) {
     const int width = plain_ ? plain_->width() : framed_light().width;
     const int height = plain_ ? plain_->height() : framed_light().height;
     const double longer = std::max(width, height), pixels = double(width) * height;
-    plan.setup = request.page;
+    plan.setup = settings.page;
     plan.pixels = {width, height};
     const PageLayout layout =
         layout_of(plan.setup, plan.pixels, {.mm = plan.largest_share() * reach_mm(plan.size)});
@@ -268,27 +268,27 @@ void Pipeline::tone_for(DrawingPlan& plan, const DrawingRequest& request) {
     plan.page = {picture.x, picture.y, layout.page.mm_per_page_unit};
 
     Toned toned{plan.tone,
-                {.smallest_area = smallest_area(request.dot_size), .joined = plan.joined},
+                {.smallest_area = smallest_area(settings.dot_size), .joined = plan.joined},
                 0,
-                {plan.pens, plan.pens.empty() ? kWhite : request.paper}};
-    if (request.pens.set == PenSet::cmyk) toned.pens.black = request.pens.black;
-    plan.placer = request.placer;
-    plan.settle_for = request.settle_for;
-    plan.placing = request.placing;
+                {plan.pens, plan.pens.empty() ? kWhite : settings.paper}};
+    if (settings.pens.set == PenSet::cmyk) toned.pens.black = settings.pens.black;
+    plan.placer = settings.placer;
+    plan.settle_for = settings.settle_for;
+    plan.placing = settings.placing;
     std::optional<std::uint64_t>& count = plan.placing.count;
     const bool moves = plan.placer == PlacerKind::exact;
     const bool by_tone =
-        request.dot_size.sizing == DotSizing::by_tone;  // their number follows; black is solid
+        settings.dot_size.sizing == DotSizing::by_tone;  // their number follows; black is solid
     if (by_tone) count.reset();
     const bool has_black = !plain_ && !plan.joined && !by_tone;
     // What follows from how many dots there are.
     const auto take_dots = [&](double dots) {
         plan.usual_steps = moves ? usual_steps(dots, picture.x * picture.y) : 0;
-        plan.steps = moves ? std::clamp(request.relax.value_or(plan.usual_steps), 0, kMostRelaxingSteps) : 0;
+        plan.steps = moves ? std::clamp(settings.relax.value_or(plan.usual_steps), 0, kMostRelaxingSteps) : 0;
         toned.ink.relaxing_steps = plan.pens.empty() ? plan.steps : steps_among_pens(plan.steps);
-        plan.usual_tone.black = has_black ? std::lerp(1, usual_black(dots), request.tone_strength) : 1;
-        const double usual = request.automatic_tone ? *plan.usual_tone.black : 1;
-        plan.tone.black = has_black ? request.tone.black.value_or(usual) : 1;
+        plan.usual_tone.black = has_black ? std::lerp(1, usual_black(dots), settings.tone_strength) : 1;
+        const double usual = settings.automatic_tone ? *plan.usual_tone.black : 1;
+        plan.tone.black = has_black ? settings.tone.black.value_or(usual) : 1;
         toned.tone.black = toned.ink.black = *plan.tone.black;
         plan.full_load = InkCurve(toned.ink).full_load();
         if (by_tone) plan.placing.scale = scale_of_radius(plan.radius(0), plan.full_load);
@@ -313,7 +313,7 @@ void Pipeline::tone_for(DrawingPlan& plan, const DrawingRequest& request) {
         toned.ink.level.reset();
         if (by_level()) toned.ink.level = level_of(scale, tile_->tile().size());
         plan.ink = toned.ink;
-        plan.density = density_for(toned, request.mask);
+        plan.density = density_for(toned, settings.mask);
     };
     if (count) {
         const auto dots = static_cast<double>(*count);
@@ -327,7 +327,7 @@ void Pipeline::tone_for(DrawingPlan& plan, const DrawingRequest& request) {
         return;
     }
     // As many dots of a count have the same black and steps: known from when the same was planned last.
-    const Scaled scaled{toned, request.mask, plan.placing.scale};
+    const Scaled scaled{toned, settings.mask, plan.placing.scale};
     if (const double* const dots = dots_by_scale_.find(scaled)) {
         take_dots(*dots);
         return make_density(plan.placing.scale);
@@ -347,55 +347,55 @@ void Pipeline::tone_for(DrawingPlan& plan, const DrawingRequest& request) {
 namespace {
 
 // As large as pens draw them.
-DrawingRequest with_pens_sizes(const DrawingRequest& asked) {
-    DrawingRequest request = asked;
-    const bool touches = draws_touches(request);
-    if (touches && !have_widths(request.pens) && request.dot_size.sizing != DotSizing::by_tone) {
-        request.dot_size.sizing = DotSizing::fixed;
-        request.dot_size.radius_mm = request.pen_width_mm / 2;
+DrawingSettings with_pens_sizes(const DrawingSettings& asked) {
+    DrawingSettings settings = asked;
+    const bool touches = draws_touches(settings);
+    if (touches && !have_widths(settings.pens) && settings.dot_size.sizing != DotSizing::by_tone) {
+        settings.dot_size.sizing = DotSizing::fixed;
+        settings.dot_size.radius_mm = settings.pen_width_mm / 2;
     }
-    if ((draws_strokes(request) && !touches) || request.dot_size.sizing == DotSizing::by_tone) {
-        request.pens.width_mm = 0;
-        for (Pen& pen : request.pens.own) pen.width_mm = 0;
+    if ((draws_strokes(settings) && !touches) || settings.dot_size.sizing == DotSizing::by_tone) {
+        settings.pens.width_mm = 0;
+        for (Pen& pen : settings.pens.own) pen.width_mm = 0;
     }
-    if (!can_be_finer(asked)) request.mask = request.mask.without_finer();
-    return request;
+    if (!can_be_finer(asked)) settings.mask = settings.mask.without_finer();
+    return settings;
 }
 
 }  // namespace
 
-DrawingPlan Pipeline::plan(const DrawingRequest& asked, std::uint64_t most_dots) {
-    const DrawingRequest request = with_pens_sizes(asked);
+DrawingPlan Pipeline::plan(const DrawingSettings& asked, std::uint64_t most_dots) {
+    const DrawingSettings settings = with_pens_sizes(asked);
     tone_ms_ = 0;
     DrawingPlan plan;
-    frame(request.page);
-    plan.tone = request.tone;
-    plan.size = request.dot_size;
-    if (!plain_) plan.finer = {request.mask, framing_of_light(), {light_.width, light_.height}};
-    plan.joined = request.style != DrawingStyle::dots;
-    plan.stroke_width_mm = keeps_dots_inside(request.page) ? widest_stroke(asked) : 0;
-    if (request.automatic_exposure) plan.tone.exposure = usual_exposure_;
-    if (!plain_) plan.pens = pens_for(request.pens, framed_colours(), plan.tone.exposure, request.paper);
+    frame(settings.page);
+    plan.tone = settings.tone;
+    plan.size = settings.dot_size;
+    if (!plain_) plan.finer = {settings.mask, framing_of_light(), {light_.width, light_.height}};
+    plan.joined = settings.style != DrawingStyle::dots;
+    plan.stroke_width_mm = keeps_dots_inside(settings.page) ? widest_stroke(asked) : 0;
+    if (settings.automatic_exposure) plan.tone.exposure = usual_exposure_;
+    if (!plain_) plan.pens = pens_for(settings.pens, framed_colours(), plan.tone.exposure, settings.paper);
     const std::optional<double> pens_width = width_of_pens(plan.pens);
     if (pens_width && plan.size.sizing == DotSizing::automatic)
         plan.size = {.sizing = DotSizing::fixed, .radius_mm = *pens_width / 2};
     if (!plain_) plan.histogram = histogram(plan.tone.exposure);
     plan.usual_tone = plan.tone;
     if (!plain_) {
-        plan.usual_tone = usual_tone(*plan.histogram, plan.tone, request.tone_strength);
+        plan.usual_tone = usual_tone(*plan.histogram, plan.tone, settings.tone_strength);
         // Colours that are made much lighter get pale, as few of them are both light and strong: half the
         // way.
         if (has_colour(plan.pens) && !framed_colours().empty())
             plan.usual_tone.gamma = std::sqrt(plan.usual_tone.gamma);
     }
-    if (request.automatic_tone) plan.tone = plan.usual_tone;
+    if (settings.automatic_tone) plan.tone = plan.usual_tone;
 
-    tone_for(plan, request);
+    tone_for(plan, settings);
 
     const double dots = plan.dots();
     const double most =
-        static_cast<double>(most_dots) / (request.placer == PlacerKind::exact ? 1 : kWithDuplicates);
-    if (!plan.pens.empty()) plan.by_pen = by_pen_under(request.mask);
+        static_cast<double>(most_dots) / (settings.placer == PlacerKind::exact ? 1 : kWithDuplicates);
+    if (!plan.pens.empty()) plan.by_pen = by_pen_under(settings.mask);
     if (plain_ && plan.steps > 0) plan.density = plain_for(dots);
     plan.lowered = dots > most;
     if (plan.lowered && plan.placing.count) plan.placing.count = static_cast<std::uint64_t>(most);

@@ -165,7 +165,7 @@ class Pipeline {
     /// Touches are as large as the pen's line is wide. Where several pens draw lines or shapes, dots are as
     /// large as one pen's would be; a pen's width is then its lines'. A count or a scale that asks for more
     /// than `most_dots` is lowered.
-    DrawingPlan plan(const DrawingRequest& asked, std::uint64_t most_dots = kMostDots);
+    DrawingPlan plan(const DrawingSettings& asked, std::uint64_t most_dots = kMostDots);
 
     /// The scale that stream() comes to; a count's end is found now and kept in the plan.
     double find_scale(DrawingPlan& plan);
@@ -240,7 +240,7 @@ class Pipeline {
     PenDensities by_pen_under(const Mask& mask) const;  // of the density made last
     std::shared_ptr<const Histogram> histogram(float exposure);
     Tone usual_tone(const Histogram& histogram, const Tone& own, double strength);
-    void tone_for(DrawingPlan& plan, const DrawingRequest& request);
+    void tone_for(DrawingPlan& plan, const DrawingSettings& settings);
     std::shared_ptr<const Density> plain_for(double dots);
 
     void frame(const PageSetup& setup);

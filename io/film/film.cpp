@@ -132,10 +132,10 @@ struct Stage {
 Stage stage_of(Pipeline& pipeline, const DrawingSettings& settings, const FilmChoice& choice) {
     Stage stage;
     stage.settings = film_settings(settings, choice.kind);
-    DrawingRequest request = stage.settings;
-    request.placing.thresholds = choice.kind == FilmKind::levels ||
-                                 (choice.kind == FilmKind::plot && choice.order == DotOrder::priority);
-    stage.plan = pipeline.plan(request, kMostFilmDots);
+    DrawingSettings asked = stage.settings;
+    asked.placing.thresholds = choice.kind == FilmKind::levels ||
+                               (choice.kind == FilmKind::plot && choice.order == DotOrder::priority);
+    stage.plan = pipeline.plan(asked, kMostFilmDots);
     if (stage.plan.density->mean() == 0)
         throw std::runtime_error("there is nothing to film: all of the picture is as light as the paper");
     stage.scale = pipeline.find_scale(stage.plan);

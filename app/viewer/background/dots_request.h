@@ -48,13 +48,10 @@ struct CloseView {
     bool operator==(const CloseView&) const = default;
 };
 
-/// Those of the settings that dots depend on.
+/// What the drawing on the screen depends on: it is placed anew where a request is another than the last.
 struct DotsRequest {
-    DrawingRequest drawing;
+    DrawingSettings drawing = {};  // what neither dots nor outlines depend on is as usual: see dots_request()
     std::uint64_t most_dots = kMostDots;
-    std::string tile;
-    std::optional<RankingMethod> ranking;
-    bool outlines = false;                // the tiles too
     std::optional<CloseView> close = {};  // instead of the whole page, as placed; the exact placer only
     DensityChoice density = {};
     DotColourChoice colours = {};

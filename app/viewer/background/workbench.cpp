@@ -85,7 +85,8 @@ bool looks_like_environment(const Grid<float>& light) {
 }
 
 bool same_tile(const DotsRequest& a, const DotsRequest& b) {
-    return a.tile == b.tile && a.ranking == b.ranking && a.drawing.placer == b.drawing.placer;
+    const DrawingSettings &one = a.drawing, &other = b.drawing;
+    return one.tile == other.tile && one.ranking == other.ranking && one.placer == other.placer;
 }
 
 }  // namespace
@@ -97,13 +98,13 @@ DrawingPlan Workbench::plan(const DotsRequest& request) {
         else
             pipeline_.set_plain(plain_density(choice_));
     }
-    TileKey key{request.tile, request.ranking};
+    DrawingSettings drawing = request.drawing;
+    TileKey key{drawing.tile, drawing.ranking};
     if (tile_key_ != key) {
         tile_key_.reset();
-        pipeline_.set_tile(tile_named(request.tile, request.ranking));
+        pipeline_.set_tile(tile_named(drawing.tile, drawing.ranking));
         tile_key_ = std::move(key);
     }
-    DrawingRequest drawing = request.drawing;
     if (needs_thresholds(request.colours)) drawing.placing.thresholds = true;
     if (request.close) drawing.mask = drawing.mask.without_finer();  // all dots are alike there
     return pipeline_.plan(drawing, request.most_dots);
@@ -164,7 +165,7 @@ bool Workbench::place(const DotsRequest& request, PlacedDrawing& drawing, std::s
         placed.window = request.close ? request.close->window : PageWindow{};
         placed.tile_corner = turns ? page.tile_corner() : glm::dvec2(0);
         placed.outlines.clear();
-        if (request.outlines)
+        if (request.drawing.show_tiles)
             placed.outlines = request.close ? placed_tiles(placer.table(), page, made.placing)
                                             : pipeline_.outlines(made, placed.scale);
         placed.ink = {.relaxing_steps = placed.steps, .level = level_of(placed.scale, tile.size())};
@@ -240,7 +241,7 @@ DotsPlaced Workbench::ready_for_screen(const DotsRequest& request, PlacedDrawing
     DotsPlaced placed;
     placed.drawing = std::move(drawing);
     if (!tile_published_ || !same_tile(*tile_published_, request)) {
-        placed.tile = view_of(request.tile, pipeline_.tile(), request.drawing.placer);
+        placed.tile = view_of(request.drawing.tile, pipeline_.tile(), request.drawing.placer);
         tile_published_ = request;
     }
     placed.picture = std::exchange(arrived_, std::nullopt);

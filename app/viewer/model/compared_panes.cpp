@@ -61,8 +61,8 @@ namespace {
 DotsRequest right_request(const Comparison& comparison, const PlacedDrawing& left) {
     DotsRequest right = *left.request;
     right.drawing.placer = comparison.placer;
-    right.tile = comparison.tile;
-    right.ranking = comparison.ranking;
+    right.drawing.tile = comparison.tile;
+    right.drawing.ranking = comparison.ranking;
     right.drawing.placing.count.reset();
     if (comparison.by == CompareBy::count)
         right.drawing.placing.count = std::max<std::uint64_t>(left.dots.size() - left.duplicates, 1);

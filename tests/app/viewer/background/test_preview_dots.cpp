@@ -22,14 +22,14 @@ PlacedDrawing placed(std::uint64_t count, int steps, bool thresholds, bool in_pa
     Workbench bench;
     bench.set_picture({.light = Grid<float>(8, 8, 0.5f)});
     DotsRequest request;
-    request.tile = kDefaultTile;
+    request.drawing.tile = kDefaultTile;
     request.density.source = density;
     request.drawing.placing.count = count;
     request.drawing.placing.thresholds = thresholds;
     request.drawing.relax = steps;
     request.in_part = in_part;
     request.drawing.placer = placer;
-    if (placer == PlacerKind::figure8) request.tile = "paper16";
+    if (placer == PlacerKind::figure8) request.drawing.tile = "paper16";
     PlacedDrawing drawing;
     bench.place(request, drawing);
     return drawing;

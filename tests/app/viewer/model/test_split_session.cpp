@@ -19,9 +19,9 @@ std::vector<glm::dvec2> places_in_window(const std::string& tile, double scale, 
     Workbench bench;
     bench.set_picture({.light = Grid<float>(8, 8, 0.5f)});
     DotsRequest request;
-    request.tile = tile;
+    request.drawing.tile = tile;
     request.density.source = DensitySource::grey;
-    request.drawing.placing.scale = scale;
+    request.drawing.placing = {.scale = scale};
     request.drawing.relax = 0;
     PlacedDrawing page;
     bench.place(request, page);
