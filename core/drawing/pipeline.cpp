@@ -369,6 +369,8 @@ DrawingPlan Pipeline::plan(const DrawingSettings& asked, std::uint64_t most_dots
     tone_ms_ = 0;
     DrawingPlan plan;
     frame(settings.page);
+    plan.framing = framing_;
+    plan.opened = pixels();
     plan.tone = settings.tone;
     plan.size = settings.dot_size;
     if (!plain_) plan.finer = {settings.mask, framing_of_light(), {light_.width, light_.height}};

@@ -6,6 +6,7 @@
 //
 // A stage is done again only if something that it depends on has changed.
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -88,6 +89,8 @@ struct DrawingPlan {
     Refinement finer;            // where there are more dots for it, and smaller ones
     PageSetup setup;
     glm::ivec2 pixels{1, 1};  // of the picture, framed
+    Framing framing;          // of the picture that was opened,
+    glm::ivec2 opened{1, 1};  // which has so many pixels
 
     /// The scale that is asked for, or at which a count ends once Pipeline::find_scale() found that.
     DAPPLE_API double scale() const;
@@ -110,6 +113,11 @@ struct DrawingPlan {
     double dots_for_tone() const;
     /// And the radius, in page units, with which a drawing that came to that scale gives it.
     double radius_for_its_tone(double scale) const { return radius_for_tone(scale, full_load); }
+
+    /// Of the picture, in page units.
+    glm::dvec2 picture_size() const {
+        return glm::dvec2(pixels) / static_cast<double>(std::max(pixels.x, pixels.y));
+    }
 };
 
 /// For someone who watches. Both may be left empty.

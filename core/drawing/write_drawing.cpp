@@ -77,13 +77,12 @@ DrawingToSave drawing_on(const DrawnPage& page, const PlannedDrawing& drawing, c
     const DrawingPlan& plan = drawing.plan;
     const PageSize& size = page.part.size;
     const glm::dvec2 corner = corner_of(page.part);
-    const double longer = std::max(plan.pixels.x, plan.pixels.y);
     DrawingToSave result{.dots = drawing.dots(reached(page, file, plan.radius(drawing.scale)), stop),
                          .page = size,
                          .pens = plan.pens,
                          .dot_radius_mm = drawing.radius_mm(),
                          .cut_marks = page.cut_marks,
-                         .picture = Rectangle<double>{-corner, -corner + glm::dvec2(plan.pixels) / longer},
+                         .picture = Rectangle<double>{-corner, -corner + plan.picture_size()},
                          .tile_size = drawing.tile_size,
                          .saving = file.saving,
                          .format = file.format,

@@ -152,32 +152,23 @@ bool Workbench::place(const DotsRequest& request, PlacedDrawing& drawing, std::s
     const Tile& tile = pipeline_.tile().tile();
     const auto finish = [&](PlacedDrawing& placed) {
         placed.request = request;
-        placed.tone = made.tone;
-        placed.usual_tone = made.usual_tone;
-        placed.all_steps = made.steps;
-        placed.usual_steps = made.usual_steps;
-        placed.histogram = made.histogram;
+        placed.plan = made;
+        placed.plan.density.reset();
+        placed.plan.by_pen = {};
         placed.tone_ms = pipeline_.tone_ms();
-        placed.page_size = glm::dvec2(page.width(), page.height()) / static_cast<double>(page.longer_side());
         placed.layout = made.layout(placed.scale);
-        placed.framing = pipeline_.framing();
-        placed.picture_pixels = pipeline_.pixels();
-        placed.window = request.close ? request.close->window : PageWindow{};
         placed.tile_corner = turns ? page.tile_corner() : glm::dvec2(0);
         placed.outlines.clear();
         if (request.drawing.show_tiles)
             placed.outlines = request.close ? placed_tiles(placer.table(), page, made.placing)
                                             : pipeline_.outlines(made, placed.scale);
         placed.ink = {.relaxing_steps = placed.steps, .level = level_of(placed.scale, tile.size())};
-        placed.dot_radius = made.largest_share() * made.radius(placed.scale);
         const StrokeChoice& strokes = request.strokes;
         const bool discs = strokes.style == DrawingStyle::dots && is_disc(strokes.mark.shape);
         placed.dots_for_tone = made.size.sizing == DotSizing::fixed && discs ? made.dots_for_tone() : 0;
-        placed.radius_for_tone_mm =
-            made.radius_for_its_tone(placed.scale) * placed.layout.page.mm_per_page_unit;
         placed.colours = chosen_colours(
             placed.dots,
-            {tile.size(), turns ? tile.rule : Rule{}, placed.window, tile.next_kind, placed.tile_corner},
+            {tile.size(), turns ? tile.rule : Rule{}, placed.window(), tile.next_kind, placed.tile_corner},
             request.colours);
     };
     DrawingWatch watch{.stop = stop, .step = {}};
@@ -191,6 +182,7 @@ bool Workbench::place(const DotsRequest& request, PlacedDrawing& drawing, std::s
                                                 .place_ms = drawn.place_ms,
                                                 .relax_ms = drawn.relax_ms};
                 finish(now);
+                now.plan.pens.clear();  // which share the dots out at the end
                 return now;
             });
         };
@@ -199,7 +191,6 @@ bool Workbench::place(const DotsRequest& request, PlacedDrawing& drawing, std::s
                         : pipeline_.draw(made, drawing, watch)))
         return false;
     finish(drawing);
-    drawing.pens = made.pens;
     return true;
 }
 
@@ -233,8 +224,8 @@ DotsPlaced Workbench::ready_for_screen(const DotsRequest& request, PlacedDrawing
     drawing.strokes = {};
     // Looked at closely, there are more dots with every zoom: they are shown as such.
     if (request.strokes.draws() && !request.close)
-        drawing.strokes = shown_strokes(drawing.dots, request.strokes, drawing.pens, drawing.layout.page,
-                                        drawing.dot_radius, way, stop);
+        drawing.strokes = shown_strokes(drawing.dots, request.strokes, drawing.plan.pens, drawing.layout.page,
+                                        drawing.dot_radius(), way, stop);
     // Large tiles first: see Renderer::set_tiles().
     std::ranges::stable_sort(drawing.outlines, {}, &PlacedTile::level);
     shrink_if_far_too_large(drawing);

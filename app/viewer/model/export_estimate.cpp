@@ -102,8 +102,8 @@ std::vector<Dots> parts_of(const DotStream& dots, const PenCount& own, DotOrder 
 std::vector<DrawingFacts::OfPen> pens_of(const PlacedDrawing& drawing, const PageSize& page) {
     std::vector<DrawingFacts::OfPen> pens;
     const DotPieces by_pen = sorted_by_pen(stream_of(drawing.dots), DotOrder::recursion);
-    for (const PenFigures& own : pen_figures(by_pen, page, drawing.pens)) {
-        const Pen& pen = drawing.pens[static_cast<std::size_t>(own.pen)];
+    for (const PenFigures& own : pen_figures(by_pen, page, drawing.plan.pens)) {
+        const Pen& pen = drawing.plan.pens[static_cast<std::size_t>(own.pen)];
         pens.push_back({pen.name, own.dots, pen.gap_mm, own.nearer_than_gap});
     }
     return pens;
@@ -204,8 +204,8 @@ ExportInfo ExportEstimate::info(const Pane& pane, const ViewerSettings& settings
     }
     DrawingToSave estimated{.dots = stream_of(region ? on_region : stippling.dots, stippling.scale),
                             .page = page,
-                            .pens = drawing.pens,
-                            .dot_radius_mm = drawing.dot_radius * page.mm_per_page_unit,
+                            .pens = drawing.plan.pens,
+                            .dot_radius_mm = drawing.dot_radius_mm(),
                             .tile_size = pane.tile_size(),
                             .saving = settings.saving};
     if (format == DrawingFormat::svg) estimated.tiles = drawing.outlines;
@@ -230,9 +230,9 @@ ExportInfo ExportEstimate::info(const Pane& pane, const ViewerSettings& settings
     }
     if (settings.drawing.style == DrawingStyle::line)
         drawn.longest_link_mm = longest_line(drawing.strokes) * page.mm_per_page_unit;
-    if (drawing.dots_for_tone > 0) drawn.for_tone = {drawing.dots_for_tone, drawing.radius_for_tone_mm};
+    if (drawing.dots_for_tone > 0) drawn.for_tone = {drawing.dots_for_tone, drawing.radius_for_tone_mm()};
     if (stippling.dots.size() <= kMostMeasured) drawn.measured = measured(pane, drawn.ink);
-    if (drawn.measured && !drawing.pens.empty()) drawn.pens = pens_of(drawing, page);
+    if (drawn.measured && !drawing.plan.pens.empty()) drawn.pens = pens_of(drawing, page);
     info_.findings = findings_of(drawn);
     try {
         info_.bytes = estimated_bytes(format, settings.drawing, estimated);
@@ -262,8 +262,8 @@ std::optional<PlottingTime> PlottingClock::time(const Pane& pane, const ViewerSe
     const PageSize& page = drawing.layout.page;
     const DrawingToSave estimated{.dots = stream_of(drawing.dots, drawing.scale),
                                   .page = page,
-                                  .pens = drawing.pens,
-                                  .dot_radius_mm = drawing.dot_radius * page.mm_per_page_unit};
+                                  .pens = drawing.plan.pens,
+                                  .dot_radius_mm = drawing.dot_radius_mm()};
     const DotOrder order =
         settings.saving.order.value_or(usual_order(format, drawing.dots.size(), settings.drawing.style));
     const Machine machine = settings.saving.machine.value_or(usual_machine(format, settings.saving.tool));

@@ -118,7 +118,7 @@ TEST_CASE("a first look is drawn until the whole picture is there, and only that
     auto event = listen(worker, [](const WorkerEvent& n) { return placed(n) != nullptr; });
     REQUIRE(placed(event.back())->picture);
     CHECK_FALSE(placed(event.back())->picture->refines);
-    CHECK(placed(event.back())->drawing.picture_pixels == glm::ivec2(32));
+    CHECK(placed(event.back())->drawing.plan.opened == glm::ivec2(32));
     REQUIRE(worker.opening());
     CHECK(worker.opening()->name == "large.jpg");
     int saved_side = 0;
