@@ -43,9 +43,12 @@ void ShownPlot::prepare(std::uint64_t placing, const PlacedDrawing& page, const 
                     .pen_width_mm = what.settings.pen_width_mm,
                     .pen_widths_mm = stroke_widths(what.settings.pens, what.settings.pen_width_mm, pens,
                                                    pen_use(what.settings))};
-        const DrawingToSave drawing{
-            .dots = stream_of(sorted), .page = sheet, .pens = pens, .dot_radius_mm = radius_mm};
-        if (const auto strokes = strokes_of(what.settings, drawing, DrawingFormat::svg))
+        const DrawingToSave drawing{.file = {.settings = what.settings},
+                                    .dots = stream_of(sorted),
+                                    .page = sheet,
+                                    .pens = pens,
+                                    .dot_radius_mm = radius_mm};
+        if (const auto strokes = strokes_of(drawing))
             found.plot = plot_film(collected(*strokes), program);
         else
             found.plot = plot_film(sorted, unit, program);
