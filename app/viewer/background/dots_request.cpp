@@ -25,9 +25,7 @@ Density plain_density(const DensityChoice& choice) {
 }
 
 DotsRequest dots_request(const DrawingSettings& settings, const DensityChoice& density) {
-    DotsRequest request{.drawing = settings,
-                        .density = density,
-                        .strokes = {settings.style, settings.mark, settings.pen_width_mm, {}, settings.pens}};
+    DotsRequest request{.drawing = settings, .density = density};
     DrawingSettings& drawing = request.drawing;
     drawing.tile = tile_in_use(settings);
     // No dot depends on these: another ink places none anew.

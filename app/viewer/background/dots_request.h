@@ -51,9 +51,9 @@ struct DotsRequest {
     std::optional<CloseView> close = {};  // instead of the whole page, as placed; the exact placer only
     DensityChoice density = {};
     DotColourChoice colours = {};
-    bool settled_only = false;  // nothing is shown on the way
-    bool in_part = true;        // preview_dots() may be shown for a while
-    StrokeChoice strokes = {};  // how dots come onto the screen
+    bool settled_only = false;                // nothing is shown on the way
+    bool in_part = true;                      // preview_dots() may be shown for a while
+    std::optional<DotOrder> line_order = {};  // of one line through all dots; none: the shortest
 
     bool operator==(const DotsRequest&) const = default;
 };

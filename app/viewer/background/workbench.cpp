@@ -163,8 +163,7 @@ bool Workbench::place(const DotsRequest& request, PlacedDrawing& drawing, std::s
             placed.outlines = request.close ? placed_tiles(placer.table(), page, made.placing)
                                             : pipeline_.outlines(made, placed.scale);
         placed.ink = {.relaxing_steps = placed.steps, .level = level_of(placed.scale, tile.size())};
-        const StrokeChoice& strokes = request.strokes;
-        const bool discs = strokes.style == DrawingStyle::dots && is_disc(strokes.mark.shape);
+        const bool discs = request.drawing.style == DrawingStyle::dots && is_disc(request.drawing.mark.shape);
         placed.dots_for_tone = made.size.sizing == DotSizing::fixed && discs ? made.dots_for_tone() : 0;
         placed.colours = chosen_colours(
             placed.dots,
@@ -223,9 +222,9 @@ DotsPlaced Workbench::ready_for_screen(const DotsRequest& request, PlacedDrawing
     drawing.blocks = dot_blocks(drawing.dots);
     drawing.strokes = {};
     // Looked at closely, there are more dots with every zoom: they are shown as such.
-    if (request.strokes.draws() && !request.close)
-        drawing.strokes = shown_strokes(drawing.dots, request.strokes, drawing.plan.pens, drawing.layout.page,
-                                        drawing.dot_radius(), way, stop);
+    if (draws_strokes(request.drawing) && !request.close)
+        drawing.strokes = shown_strokes(drawing.dots, request.drawing, request.line_order, drawing.plan.pens,
+                                        drawing.layout.page, drawing.dot_radius(), way, stop);
     // Large tiles first: see Renderer::set_tiles().
     std::ranges::stable_sort(drawing.outlines, {}, &PlacedTile::level);
     shrink_if_far_too_large(drawing);
@@ -264,7 +263,7 @@ std::optional<DotsPlaced> Workbench::place_for_screen(const DotsRequest& request
         }
         last_size_ = drawing.dots.size();
         // A line's way takes longer than its dots.
-        if (request.strokes.style == DrawingStyle::line && !request.close && !settled_only &&
+        if (request.drawing.style == DrawingStyle::line && !request.close && !settled_only &&
             last_size_ > kDotsRoutedSoon)
             task.publish(ready_for_screen(request, drawing, LineWay::soon, stop));
         DotsPlaced placed = ready_for_screen(request, std::move(drawing), LineWay::final, stop);
