@@ -99,11 +99,10 @@ DrawingPlan Workbench::plan(const DotsRequest& request) {
             pipeline_.set_plain(plain_density(choice_));
     }
     DrawingSettings drawing = request.drawing;
-    TileKey key{drawing.tile, drawing.ranking};
-    if (tile_key_ != key) {
-        tile_key_.reset();
+    if (std::pair named(drawing.tile, drawing.ranking); tile_ != named) {
+        tile_.reset();
         pipeline_.set_tile(tile_named(drawing.tile, drawing.ranking));
-        tile_key_ = std::move(key);
+        tile_ = std::move(named);
     }
     if (needs_thresholds(request.colours)) drawing.placing.thresholds = true;
     if (request.close) drawing.mask = drawing.mask.without_finer();  // all dots are alike there
@@ -286,7 +285,7 @@ std::optional<DotsPlaced> Workbench::place_for_screen(const DotsRequest& request
 void Workbench::clear() {
     pipeline_ = {};
     choice_ = {};
-    tile_key_.reset();
+    tile_.reset();
     share_ = nullptr;
     arrived_.reset();
     last_size_ = 0;

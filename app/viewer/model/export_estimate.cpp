@@ -181,9 +181,8 @@ ExportInfo ExportEstimate::info(const Pane& pane, const ViewerSettings& settings
     if (key_ == key) return info_;
     key_ = key;
     const PlacedDrawing& drawing = pane.page();
-    const Stippling& stippling = drawing;
     PageSize page = drawing.layout.page;
-    info_ = {.dots = stippling.dots.size(), .bytes = {}, .trouble = {}};
+    info_ = {.dots = drawing.dots.size(), .bytes = {}, .trouble = {}};
     if (!drawing.is_there()) {
         info_.trouble = "There is no drawing to save";
         return info_;
@@ -194,7 +193,7 @@ ExportInfo ExportEstimate::info(const Pane& pane, const ViewerSettings& settings
         try {
             const Excerpt part = drawn_page(drawing.layout, settings.saving).part;
             region = part.part;
-            on_region = dots_on(part.part, stippling.dots);
+            on_region = dots_on(part.part, drawing.dots);
             page = part.size;
         } catch (const std::exception& error) {
             info_.trouble = error.what();
@@ -204,7 +203,7 @@ ExportInfo ExportEstimate::info(const Pane& pane, const ViewerSettings& settings
     }
     DrawingToSave estimated{
         .file = {.format = format, .settings = settings.drawing, .saving = settings.saving},
-        .dots = stream_of(region ? on_region : stippling.dots, stippling.scale),
+        .dots = stream_of(region ? on_region : drawing.dots, drawing.scale),
         .page = page,
         .pens = drawing.plan.pens,
         .dot_radius_mm = drawing.dot_radius_mm(),
@@ -231,7 +230,7 @@ ExportInfo ExportEstimate::info(const Pane& pane, const ViewerSettings& settings
     if (settings.drawing.style == DrawingStyle::line)
         drawn.longest_link_mm = longest_line(drawing.strokes) * page.mm_per_page_unit;
     if (drawing.dots_for_tone > 0) drawn.for_tone = {drawing.dots_for_tone, drawing.radius_for_tone_mm()};
-    if (stippling.dots.size() <= kMostMeasured) drawn.measured = measured(pane, drawn.ink);
+    if (drawing.dots.size() <= kMostMeasured) drawn.measured = measured(pane, drawn.ink);
     if (drawn.measured && !drawing.plan.pens.empty()) drawn.pens = pens_of(drawing, page);
     info_.findings = findings_of(drawn);
     try {
