@@ -11,11 +11,13 @@ namespace dapple {
 inline Grid<glm::u8vec3> drawn_pixels(const DrawingSettings& settings, const DrawingPlan& plan,
                                       const Stippling& drawn, int longer_side) {
     const PageSize page = plan.layout(drawn.scale).page;
-    return page_pixels(settings, {.dots = stream_of(drawn.dots),
-                                  .page = page,
-                                  .pens = plan.pens,
-                                  .dot_radius_mm = plan.radius_mm(drawn.scale),
-                                  .saving = {.dpi = dpi_for(page, longer_side)}});
+    return page_pixels({.file = {.format = DrawingFormat::png,
+                                 .settings = settings,
+                                 .saving = {.dpi = dpi_for(page, longer_side)}},
+                        .dots = stream_of(drawn.dots),
+                        .page = page,
+                        .pens = plan.pens,
+                        .dot_radius_mm = plan.radius_mm(drawn.scale)});
 }
 
 }  // namespace dapple

@@ -56,16 +56,16 @@ struct SplitSession {
         REQUIRE(brings([&] {
             const Pane* right = compared.right();
             const PageWindow window = window_in_view(zoom.camera, 0.3);
-            if (!session.pane().shows_close() || session.pane().shown().window != window) return false;
+            if (!session.pane().shows_close() || session.pane().shown().window() != window) return false;
             if (!session.settings.comparison.on) return true;
-            return right && right->shows_close() && right->shown().window == window;
+            return right && right->shows_close() && right->shown().window() == window;
         }));
     }
 };
 
 /// The places of a close view's dots on the page, in order.
 inline std::vector<glm::dvec2> places_of(const PlacedDrawing& shown) {
-    const glm::dvec2 corner = in_page_units({shown.window.x, shown.window.y});
+    const glm::dvec2 corner = in_page_units({shown.window().x, shown.window().y});
     std::vector<glm::dvec2> places;
     for_each_position(shown.dots, [&](float x, float y) { places.push_back(corner + glm::dvec2(x, y)); });
     return places;

@@ -54,52 +54,21 @@ TEST_CASE("core, io and app have at most so many lines and files, and the labora
         each +=
             room + ": " + std::to_string(size.files) + " files, " + std::to_string(size.lines) + " lines\n";
     CAPTURE(each);
-    CHECK(sum_of(rooms).lines <= 63657);
+    CHECK(sum_of(rooms).lines <= 63598);
     CHECK(sum_of(rooms).files <= 476);
     CHECK(sum_of(read_sources({"lab"}, nothing)).lines <= 14500);
 }
 
 TEST_CASE("gamma passes at most so many types from its slider to the screen") {
     // In the order in which they are passed. A type that is gone is taken off the list.
-    constexpr std::array kPassed{"Setting",
-                                 "Tone",
-                                 "DrawingSettings",
-                                 "ViewerSettings",
-                                 "Session",
-                                 "History",
-                                 "Pane",
-                                 "RequestAgain",
-                                 "DotsRequest",
-                                 "DensityChoice",
-                                 "Worker",
-                                 "Workbench",
-                                 "DrawingRequest",
-                                 "DrawnWith",
-                                 "Pipeline",
-                                 "DrawingPlan",
-                                 "ColourTone",
-                                 "InkCurve",
-                                 "InkedDots",
-                                 "PageLayout",
-                                 "Density",
-                                 "BlurredDensity",
-                                 "PlannedDrawing",
-                                 "PlacingRequest",
-                                 "Placer",
-                                 "PlacedCount",
-                                 "DotPieces",
-                                 "Dots",
-                                 "RelaxingRequest",
-                                 "Relaxation",
-                                 "WarpRequest",
-                                 "PlacedDrawing",
-                                 "DotsPlaced",
-                                 "DotBlock",
-                                 "DotOrigins",
-                                 "Canvas",
-                                 "PictureView",
-                                 "Renderer"};
-    CHECK(kPassed.size() <= 38);
+    constexpr std::array kPassed{
+        "Setting",    "Tone",           "DrawingSettings", "ViewerSettings", "Session",     "History",
+        "Pane",       "RequestAgain",   "DotsRequest",     "DensityChoice",  "Worker",      "Workbench",
+        "Pipeline",   "DrawingPlan",    "ColourTone",      "InkCurve",       "InkedDots",   "PageLayout",
+        "Density",    "BlurredDensity", "PlannedDrawing",  "PlacingRequest", "Placer",      "PlacedCount",
+        "DotPieces",  "Dots",           "RelaxingRequest", "Relaxation",     "WarpRequest", "PlacedDrawing",
+        "DotsPlaced", "DotBlock",       "DotOrigins",      "Canvas",         "PictureView", "Renderer"};
+    CHECK(kPassed.size() <= 36);
     std::set<std::string> declared;
     const std::regex declaration("(?:struct|class|enum class) (\\w+)(?: final)?(?: : .*)? \\{.*");
     read_sources({"core", "app"}, [&](const std::string& line) {

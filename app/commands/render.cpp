@@ -249,7 +249,6 @@ namespace {
 
 // A picture's dots, ready to be drawn on any part of the page.
 struct PlacedPicture {
-    glm::ivec2 picture;  // pixels
     PlannedDrawing drawing;
     DrawingFile file;
     RenderTimes times;
@@ -280,22 +279,22 @@ PlacedPicture placed_picture(const RenderOptions& options, Stages& stages) {
     times.tone = stages.lap();
 
     stages.begin(plan.steps > 0 ? "placing and relaxing the dots" : "placing the dots", 0.1, 0.4);
-    return {picture, *pipeline.drawing(std::move(plan)), std::move(file), times};
+    return {*pipeline.drawing(std::move(plan)), std::move(file), times};
 }
 
 // Draws the part of the page that the options say.
 Rendered saved_part(const PlacedPicture& placed, const RenderOptions& options, Stages& stages,
                     const RenderProgress& progress) {
-    const DrawingSettings& settings = options.drawing;
     const DrawingFormat format = placed.file.format;
     const DrawingPlan& plan = placed.drawing.plan;
     RenderTimes times = placed.times;
     const DrawnPage page = page_for(placed.drawing.layout(), options);
     DrawingToSave drawing = drawing_on(page, placed.drawing, placed.file);
+    drawing.file.path = options.output;
     const DotStream dots = drawing.dots;
     check_not_empty(plan, dots.count, options);
     check_fits(page.part.size, dots.count, options);
-    const DotOrder order = order_of(drawing, format, settings.style);
+    const DotOrder order = order_of(drawing);
     std::shared_ptr<DotPieces> held;  // none if they are too many, and need not be sorted
     std::optional<double> curve_way;
     if (dots.count <= kMostSortedDots || order != DotOrder::recursion) {
@@ -309,19 +308,14 @@ Rendered saved_part(const PlacedPicture& placed, const RenderOptions& options, S
     }
 
     const auto pen_files = pen_files_of(options, format, plan.pens);
-    const std::optional<double> bytes = estimated_bytes(format, settings, drawing);
+    const std::optional<double> bytes = estimated_bytes(drawing);
     if (bytes >= kReportedSize) stages.say(fmt::format("about {} will be written", bytes_in_words(*bytes)));
     stages.begin(fmt::format("writing {} dots", grouped(dots.count)), 0.7, 1);
-    const LaidOutDrawing laid_out{.plan = plan,
-                                  .file = placed.file,
-                                  .page = page,
-                                  .drawing = drawing,
-                                  .by_pen = dots.count <= kMostSortedDots ? held.get() : nullptr};
+    const DotPieces* const measured = dots.count <= kMostSortedDots ? held.get() : nullptr;
     // Writing waits for the disk, or for one thread that compresses.
     std::future<DrawingFigures> figures =
-        std::async(std::launch::async, [&] { return figures_of(laid_out); });
-    save_ordered(options.output, settings, drawing,
-                 {.stop = {}, .progress = [&](double share) { stages.show(share); }});
+        std::async(std::launch::async, [&] { return figures_of(plan, page, drawing, measured); });
+    save_ordered(drawing, {.stop = {}, .progress = [&](double share) { stages.show(share); }});
     times.write = stages.lap();
     stages.end();
     std::vector<std::string> names;
@@ -333,8 +327,8 @@ Rendered saved_part(const PlacedPicture& placed, const RenderOptions& options, S
     Rendered rendered;
     static_cast<DrawingFigures&>(rendered) = figures.get();
     times.check = stages.lap();
-    rendered.width = placed.picture.x;
-    rendered.height = placed.picture.y;
+    rendered.width = plan.opened.x;
+    rendered.height = plan.opened.y;
     rendered.mean_density = plan.density->mean();
     rendered.tone = plan.tone;
     rendered.steps = plan.steps;

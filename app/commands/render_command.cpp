@@ -174,7 +174,8 @@ void check_that_fit(const CLI::App& command, const RenderOptions& options) {
                fmt::format("cannot be below {:g} mm with a pen {:g} mm wide; give that or more",
                            drawing.pen_width_mm / 2, drawing.pen_width_mm));
     const bool pen_draws =
-        draws_strokes(drawing) || dots_as(drawing, options.saving, format) == DotsAs::touches;
+        draws_strokes(drawing) ||
+        dots_as({.format = format, .settings = drawing, .saving = options.saving}) == DotsAs::touches;
     if (!pen_draws)
         refuse(command, {"--pen-width"},
                "applies to a plotter's pen, to --style line or nearest, and to a --dot-shape other than "

@@ -112,12 +112,16 @@ void TestSheetCommand::save() const {
     check_can_save(output_);
     StrokeStream strokes = stream_of(sheet.strokes, drawing_.pen_width_mm);
     for (const Pen& pen : pens) strokes.widths_mm.push_back(pen.width_mm);
-    DrawingToSave drawing{.dots = {}, .page = page, .pens = pens, .saving = saving_, .strokes = strokes};
+    DrawingToSave drawing{
+        .file = {.path = output_, .format = format, .settings = drawing_, .saving = saving_},
+        .dots = {},
+        .page = page,
+        .pens = pens,
+        .strokes = strokes};
     drawing.dots.count = sheet.dots;
-    save_ordered(output_, drawing_, drawing);  // each pen's dots as they were laid out
+    save_ordered(drawing);  // each pen's dots as they were laid out
     const Machine machine = usual_machine(format, saving_.tool);
-    const PlottingTime time =
-        figures_of(strokes, program_for(machine, format, drawing_, drawing).program).time;
+    const PlottingTime time = figures_of(strokes, program_for(machine, drawing).program).time;
     fmt::print(stderr, "{}: {} {}, {} dots", printable(output_.string()), pens.size(),
                pens.size() == 1 ? "pen" : "pens", grouped(sheet.dots));
     if (is_plotted(format))

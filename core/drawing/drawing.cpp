@@ -15,20 +15,21 @@ bool has_order(DrawingFormat format, DrawingStyle style) {
     return !has_pixels(format) || style == DrawingStyle::line;
 }
 
-DotMark mark_in(const DrawingSettings& settings, const SavingChoice& saving, DrawingFormat format) {
-    const bool circles = settings.mark.shape == DotShape::circle;
-    if (!circles || !is_touched(format) || !has_several_sizes(settings)) return settings.mark;
-    const bool by_radius =
-        format == DrawingFormat::gcode && saving.gcode_template.text.find("{radius}") != std::string::npos;
-    return by_radius ? settings.mark : DotMark{DotShape::spiral};
+DotMark mark_in(const DrawingFile& file) {
+    const DotMark& mark = file.settings.mark;
+    const bool circles = mark.shape == DotShape::circle;
+    if (!circles || !is_touched(file.format) || !has_several_sizes(file.settings)) return mark;
+    const bool by_radius = file.format == DrawingFormat::gcode &&
+                           file.saving.gcode_template.text.find("{radius}") != std::string::npos;
+    return by_radius ? mark : DotMark{DotShape::spiral};
 }
 
-std::optional<StrokeStream> strokes_of(const DrawingSettings& settings, const DrawingToSave& drawing,
-                                       DrawingFormat format) {
+std::optional<StrokeStream> strokes_of(const DrawingToSave& drawing) {
     if (drawing.strokes) return drawing.strokes;
-    const DotMark mark = mark_in(settings, drawing.saving, format);
+    const DrawingSettings& settings = drawing.file.settings;
+    const DotMark mark = mark_in(drawing.file);
     const bool dots = settings.style == DrawingStyle::dots;
-    if (is_table(format) || (dots && mark.shape == DotShape::circle)) return std::nullopt;
+    if (is_table(drawing.file.format) || (dots && mark.shape == DotShape::circle)) return std::nullopt;
     const double width = settings.pen_width_mm;
     const std::vector<double> widths = stroke_widths(settings.pens, width, drawing.pens, pen_use(settings));
     if (dots) return marks_of(drawing.dots, drawing.page, mark, drawing.dot_radius_mm, width, widths);
@@ -94,9 +95,10 @@ std::optional<double> put_in_order(DotPieces& by_pen, DotOrder order, const Watc
     return curve_way;
 }
 
-DotOrder order_of(const DrawingToSave& drawing, DrawingFormat format, DrawingStyle style) {
-    if (!has_order(format, style)) return DotOrder::recursion;
-    return drawing.saving.order.value_or(usual_order(format, drawing.dots.count, style));
+DotOrder order_of(const DrawingToSave& drawing) {
+    const DrawingFile& file = drawing.file;
+    if (!has_order(file.format, file.settings.style)) return DotOrder::recursion;
+    return file.saving.order.value_or(usual_order(file.format, drawing.dots.count, file.settings.style));
 }
 
 }  // namespace dapple

@@ -3,6 +3,7 @@
 // in which they go there.
 
 #include <cstdint>
+#include <filesystem>
 #include <glm/vec2.hpp>
 #include <optional>
 #include <string>
@@ -52,7 +53,18 @@ DotPieces sorted_by_pen(const DotStream& stream, DotOrder order, const Watch& wa
 /// shorter.
 std::optional<double> put_in_order(DotPieces& by_pen, DotOrder order, const Watch& watch = {});
 
+/// What is to be saved where.
+struct DrawingFile {
+    std::filesystem::path path = {};  // "-": the standard output
+    DrawingFormat format = DrawingFormat::svg;
+    DrawingSettings settings = {};
+    SavingChoice saving = {};
+    std::string embedded = {};  // see embedded_settings(); empty: none go into the file
+};
+
+/// What goes into such a file.
 struct DrawingToSave {
+    DrawingFile file = {};
     DotStream dots;  // with what says when they appear if they go into a table
     PageSize page;
     Palette pens = {};                    // several, for Dots::pen; none: the ink
@@ -61,9 +73,6 @@ struct DrawingToSave {
     std::vector<CutMark> cut_marks = {};  // of a sheet, for SVG and PDF
     std::optional<Rectangle<double>> picture = {};  // page units: where they end; none: at the page's edges
     std::size_t tile_size = 16;                     // N
-    SavingChoice saving = {};
-    std::optional<DrawingFormat> format = {};  // none: what the name's ending says
-    std::string settings = {};                 // see embedded_settings(); empty: none go into the file
     /// Where lines from dot to dot are drawn on a part of the page: the dots are the whole page's, and `page`
     /// is the part, whose corner is so many millimetres from theirs.
     std::optional<glm::dvec2> part_corner_mm = {};
@@ -74,14 +83,13 @@ struct DrawingToSave {
 
 /// Each dot's shape in such a file. Where a machine would only touch the paper, a spiral fills dots of
 /// several sizes, unless a template of one's own asks for their {radius}.
-DotMark mark_in(const DrawingSettings& settings, const SavingChoice& saving, DrawingFormat format);
+DotMark mark_in(const DrawingFile& file);
 
 /// What a pen draws of the dots in the order given; none where they are filled circles, and of tables, which
 /// have dots alone. Lines from dot to dot are held in memory; the dots have to outlive the stream.
-std::optional<StrokeStream> strokes_of(const DrawingSettings& settings, const DrawingToSave& drawing,
-                                       DrawingFormat format);
+std::optional<StrokeStream> strokes_of(const DrawingToSave& drawing);
 
-/// The order of its dots in such a file: the one asked for, or usual_order().
-DotOrder order_of(const DrawingToSave& drawing, DrawingFormat format, DrawingStyle style);
+/// The order of its dots in the file: the one asked for, or usual_order().
+DotOrder order_of(const DrawingToSave& drawing);
 
 }  // namespace dapple

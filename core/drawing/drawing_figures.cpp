@@ -7,18 +7,19 @@
 
 namespace dapple {
 
-DotsAs dots_as(const DrawingSettings& settings, const SavingChoice& saving, DrawingFormat format) {
-    if (is_table(format)) return DotsAs::listed;
-    if (!is_plotted(format)) return DotsAs::printed;
-    if (settings.style != DrawingStyle::dots) return DotsAs::lines;
-    const DotShape shape = mark_in(settings, saving, format).shape;
+DotsAs dots_as(const DrawingFile& file) {
+    if (is_table(file.format)) return DotsAs::listed;
+    if (!is_plotted(file.format)) return DotsAs::printed;
+    if (file.settings.style != DrawingStyle::dots) return DotsAs::lines;
+    const DotShape shape = mark_in(file).shape;
     if (shape == DotShape::point) return DotsAs::touches;
     if (shape != DotShape::circle) return DotsAs::shapes;
-    return is_touched(format) ? DotsAs::touches : DotsAs::rings;
+    return is_touched(file.format) ? DotsAs::touches : DotsAs::rings;
 }
 
-InkedDot inked_dot(const DrawingSettings& settings, DrawingFormat format, const DrawingToSave& drawing) {
-    InkedDot ink{.as = dots_as(settings, drawing.saving, format),
+InkedDot inked_dot(const DrawingToSave& drawing) {
+    const DrawingSettings& settings = drawing.file.settings;
+    InkedDot ink{.as = dots_as(drawing.file),
                  .radius_mm = drawing.dot_radius_mm,
                  .stroke_width_mm = settings.pen_width_mm};
     ink.widths_mm = stroke_widths(settings.pens, settings.pen_width_mm, drawing.pens,
@@ -36,14 +37,14 @@ InkedDot inked_dot(const DrawingSettings& settings, DrawingFormat format, const 
     return ink;
 }
 
-DrawingFacts facts_of(const DrawingSettings& settings, const SavingChoice& saving, DrawingFormat format,
-                      const DrawingToSave& drawing) {
+DrawingFacts facts_of(const DrawingToSave& drawing) {
+    const auto& [path, format, settings, saving, embedded] = drawing.file;
     DrawingFacts facts{.dots = drawing.dots.count,
-                       .ink = inked_dot(settings, format, drawing),
+                       .ink = inked_dot(drawing),
                        .is_svg = format == DrawingFormat::svg,
                        .has_margins = settings.page.margins.value_or(Margins{}) != Margins{},
                        .page = drawing.page};
-    if (has_pixels(format)) facts.dpi = drawing.saving.dpi;
+    if (has_pixels(format)) facts.dpi = saving.dpi;
     if (format == DrawingFormat::hpgl) facts.reach_mm = kHpglReachMm;
     if (is_plotted(format)) facts.machine = saving.machine.value_or(usual_machine(format, saving.tool));
     if (format == DrawingFormat::gcode) {
@@ -84,58 +85,53 @@ PlottingTime time_of(const DotStream& dots, const InkedDot& ink, const PageSize&
 }
 
 // The time that the machine takes, and the strokes if dots are drawn with some.
-void add_plotting(DrawingFigures& figures, DrawingFacts& facts, const LaidOutDrawing& laid_out) {
-    const DrawingFile& file = laid_out.file;
-    const PageSize& page = laid_out.page.part.size;
-    const GcodeProgram gcode = program_for(figures.machine, file.format, file.settings, laid_out.drawing);
-    if (!laid_out.by_pen) {
-        facts.plotting = expected_plotting_time(static_cast<double>(laid_out.drawing.dots.count),
+void add_plotting(DrawingFigures& figures, DrawingFacts& facts, const DrawingToSave& drawing,
+                  const DotPieces* by_pen) {
+    const PageSize& page = drawing.page;
+    const GcodeProgram gcode = program_for(figures.machine, drawing);
+    if (!by_pen) {
+        facts.plotting = expected_plotting_time(static_cast<double>(drawing.dots.count),
                                                 page.width_mm * page.height_mm, gcode.program);
-    } else if (const auto strokes = strokes_of(file.settings, laid_out.drawing, file.format)) {
+    } else if (const auto strokes = strokes_of(drawing)) {
         figures.strokes = figures_of(*strokes, gcode.program);
         facts.plotting = figures.strokes->time;
-        if (file.settings.style == DrawingStyle::line) facts.longest_link_mm = figures.strokes->longest_mm;
+        if (drawing.file.settings.style == DrawingStyle::line)
+            facts.longest_link_mm = figures.strokes->longest_mm;
     } else {
-        facts.plotting = time_of(stream_of(*laid_out.by_pen), facts.ink, page, gcode.program);
+        facts.plotting = time_of(stream_of(*by_pen), facts.ink, page, gcode.program);
     }
     figures.plotting = facts.plotting;
     facts.gcode = gcode_facts(gcode, figures.strokes ? static_cast<double>(figures.strokes->segments) : 0,
                               facts.plotting.drawing_s);
 }
 
-// The same for each of several pens, and how even their dots are.
-void add_pens(DrawingFigures& figures, DrawingFacts& facts, const LaidOutDrawing& laid_out) {
-    const DrawingFile& file = laid_out.file;
-    const PageSize& page = laid_out.page.part.size;
-    const Palette& pens = laid_out.plan.pens;
-    const MachineProgram program =
-        program_for(figures.machine, file.format, file.settings, laid_out.drawing).program;
-    figures.by_pen = pen_figures(*laid_out.by_pen, page, pens);
-    const auto strokes = strokes_of(file.settings, laid_out.drawing, file.format);
+// The same for each of several pens.
+void add_pens(DrawingFigures& figures, DrawingFacts& facts, const DrawingToSave& drawing,
+              const DotPieces& by_pen) {
+    const PageSize& page = drawing.page;
+    const MachineProgram program = program_for(figures.machine, drawing).program;
+    figures.by_pen = pen_figures(by_pen, page, drawing.pens);
+    const auto strokes = strokes_of(drawing);
     for (std::size_t i = 0; i < figures.by_pen.size(); ++i) {
         PenFigures& own = figures.by_pen[i];
         own.time = strokes ? figures_of(only(*strokes, own.pen), program).time
-                           : time_of(stream_of(laid_out.by_pen->pieces[i]), facts.ink, page, program);
-        const Pen& pen = pens[static_cast<std::size_t>(own.pen)];
+                           : time_of(stream_of(by_pen.pieces[i]), facts.ink, page, program);
+        const Pen& pen = drawing.pens[static_cast<std::size_t>(own.pen)];
         facts.pens.push_back({pen.name, own.dots, pen.gap_mm, own.nearer_than_gap});
     }
-    if (!laid_out.page.draws_whole()) return;
-    const PagePart& part = laid_out.page.part.part;
-    figures.evenness = pen_evenness(*laid_out.by_pen, {part.across.offset, part.down.offset},
-                                    laid_out.plan.by_pen, laid_out.drawing.dots.scale);
 }
 
 }  // namespace
 
-DrawingFigures figures_of(const LaidOutDrawing& laid_out) {
-    const auto& [plan, file, page, drawing, by_pen] = laid_out;
+DrawingFigures figures_of(const DrawingPlan& plan, const DrawnPage& page, const DrawingToSave& drawing,
+                          const DotPieces* by_pen) {
     DrawingFigures figures;
-    DrawingFacts facts = facts_of(file.settings, file.saving, file.format, drawing);
+    DrawingFacts facts = facts_of(drawing);
     facts.whole_page = page.draws_whole();
     if (by_pen) {
         const InkedDot& ink = facts.ink;
-        const Dots inked = inked_dots(stream_of(*by_pen), ink, page.part.size);
-        const Excerpt& excerpt = placed_on(page, file);
+        const Dots inked = inked_dots(stream_of(*by_pen), ink, drawing.page);
+        const Excerpt& excerpt = placed_on(page, drawing.file);
         const PageLayout& layout = page.layout;
         const Rectangle<double> paper{{0, 0}, {layout.page.width_mm, layout.page.height_mm}};
         facts.measured = preflight(inked, excerpt.size, ink.reach_mm(ink.radius_mm, 0),
@@ -144,9 +140,16 @@ DrawingFigures figures_of(const LaidOutDrawing& laid_out) {
         figures.preflight = facts.measured;
     }
     figures.machine = facts.machine.value_or(figures.machine);
-    if (facts.machine) add_plotting(figures, facts, laid_out);
-    if (by_pen && !plan.pens.empty()) add_pens(figures, facts, laid_out);
-    if (const auto tone = tone_reached(plan, drawing.dots.scale, file.settings)) facts.for_tone = tone;
+    if (facts.machine) add_plotting(figures, facts, drawing, by_pen);
+    if (by_pen && !drawing.pens.empty()) {
+        add_pens(figures, facts, drawing, *by_pen);
+        const PagePart& part = page.part.part;
+        if (page.draws_whole())
+            figures.evenness = pen_evenness(*by_pen, {part.across.offset, part.down.offset}, plan.by_pen,
+                                            drawing.dots.scale);
+    }
+    if (const auto tone = tone_reached(plan, drawing.dots.scale, drawing.file.settings))
+        facts.for_tone = tone;
     figures.findings = findings_of(facts);
     return figures;
 }

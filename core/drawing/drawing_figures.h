@@ -19,25 +19,15 @@ namespace dapple {
 // core/output/findings.h.
 
 /// How such a file brings the dots onto the paper.
-DotsAs dots_as(const DrawingSettings& settings, const SavingChoice& saving, DrawingFormat format);
+DotsAs dots_as(const DrawingFile& file);
 
 /// How far the ink of its dots reaches. Where a machine touches the paper and nothing says how large dots
 /// are, they are as wide as the pen's line.
-InkedDot inked_dot(const DrawingSettings& settings, DrawingFormat format, const DrawingToSave& drawing);
+InkedDot inked_dot(const DrawingToSave& drawing);
 
 /// All that follows from the settings. Left to whoever has the dots: what is measured, the plotting time, the
 /// pens, and the tone of dots of a size of their own.
-DrawingFacts facts_of(const DrawingSettings& settings, const SavingChoice& saving, DrawingFormat format,
-                      const DrawingToSave& drawing);
-
-/// A drawing as it goes into its file.
-struct LaidOutDrawing {
-    const DrawingPlan& plan;
-    const DrawingFile& file;
-    const DrawnPage& page;
-    const DrawingToSave& drawing;
-    const DotPieces* by_pen = nullptr;  // its dots in memory, as they are drawn; none if they are too many
-};
+DrawingFacts facts_of(const DrawingToSave& drawing);
 
 struct DrawingFigures {
     std::optional<Preflight> preflight = {};  // if its dots are in memory
@@ -49,6 +39,9 @@ struct DrawingFigures {
     std::optional<PenEvenness> evenness = {};   // of a whole page
 };
 
-DrawingFigures figures_of(const LaidOutDrawing& laid_out);
+/// Of a drawing that lies so on its page. `by_pen`: its dots in memory, as they are drawn; null if they are
+/// too many.
+DrawingFigures figures_of(const DrawingPlan& plan, const DrawnPage& page, const DrawingToSave& drawing,
+                          const DotPieces* by_pen);
 
 }  // namespace dapple

@@ -35,11 +35,10 @@ void check_heights(const SavingChoice& saving) {
         style.heights.up));
 }
 
-GcodeProgram program_for(Machine machine, DrawingFormat format, const DrawingSettings& settings,
-                         const DrawingToSave& drawing) {
-    const SavingChoice& saving = drawing.saving;
-    const std::vector<CutMark> marks = registration_of(settings, drawing);
-    if (format == DrawingFormat::gcode)
+GcodeProgram program_for(Machine machine, const DrawingToSave& drawing) {
+    const SavingChoice& saving = drawing.file.saving;
+    const std::vector<CutMark> marks = registration_of(drawing);
+    if (drawing.file.format == DrawingFormat::gcode)
         return program_of({.size = drawing.page,
                            .dot_radius_mm = drawing.dot_radius_mm,
                            .pens = drawing.pens,

@@ -15,10 +15,9 @@ void check_heights(const SavingChoice& saving);
 /// Throws what parse_gcode_template() throws.
 GcodeStyle gcode_style_of(const SavingChoice& saving);
 
-/// What a machine does that draws such a file. One that reads G-code does what the template's lines say;
+/// What a machine does that draws the file. One that reads G-code does what the template's lines say;
 /// others move as their programs do. Throws what parse_gcode_template() throws.
-GcodeProgram program_for(Machine machine, DrawingFormat format, const DrawingSettings& settings,
-                         const DrawingToSave& drawing);
+GcodeProgram program_for(Machine machine, const DrawingToSave& drawing);
 
 /// What someone should know of the program, of a drawing of so many straight pieces of lines that take so
 /// long.

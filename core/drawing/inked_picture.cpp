@@ -12,8 +12,6 @@
 namespace dapple {
 namespace {
 
-constexpr int kLongestSide = 1280;  // pixels
-
 // Of a grid over the picture, at a place in page units: the pixel's that it lies in.
 float value_at_place(const Grid<float>& grid, glm::dvec2 place) {
     const double longer = std::max(grid.width, grid.height);
@@ -25,7 +23,7 @@ float value_at_place(const Grid<float>& grid, glm::dvec2 place) {
 }  // namespace
 
 Grid<float> light_for_lines(const Grid<float>& light, float exposure) {
-    return exposed(means_of_blocks(light, blocks_for(std::max(light.width, light.height), kLongestSide)),
+    return exposed(means_of_blocks(light, blocks_for(std::max(light.width, light.height), kLongestForLines)),
                    exposure);
 }
 

@@ -53,6 +53,15 @@ double smallest_area(const DotSize& size) {
     return ratio * ratio;
 }
 
+// Where the picture lies on its page, as far as that does not follow from the number of its dots.
+void lay_out(DrawingPlan& plan, const PageSetup& setup, glm::ivec2 pixels) {
+    plan.setup = setup;
+    plan.pixels = pixels;
+    const PageLayout layout = layout_of(setup, pixels, {.mm = plan.largest_share() * reach_mm(plan.size)});
+    const glm::dvec2 picture = layout.picture.size();
+    plan.page = {picture.x, picture.y, layout.page.mm_per_page_unit};
+}
+
 // Gives each dot the radius that tone and mask ask for at its place. None where all are alike.
 std::function<void(Dots&)> sizes_by_place(const DrawingPlan& plan, double scale) {
     if (plan.size.sizing != DotSizing::by_tone && plan.finer.empty()) return {};
@@ -265,97 +274,89 @@ double DrawingPlan::dots_for_tone() const {
 }
 
 // Density, count or scale, steps and black, each of which may follow from the others.
-void Pipeline::tone_for(DrawingPlan& plan, const DrawingRequest& request) {
-    const int width = plain_ ? plain_->width() : framed_light().width;
-    const int height = plain_ ? plain_->height() : framed_light().height;
-    const double longer = std::max(width, height), pixels = double(width) * height;
-    plan.setup = request.page;
-    plan.pixels = {width, height};
-    const PageLayout layout =
-        layout_of(plan.setup, plan.pixels, {.mm = plan.largest_share() * reach_mm(plan.size)});
-    const glm::dvec2 picture = layout.picture.size();
-    plan.page = {picture.x, picture.y, layout.page.mm_per_page_unit};
-
-    Toned toned{plan.tone,
-                {.smallest_area = smallest_area(request.dot_size), .joined = plan.joined},
-                0,
-                {plan.pens, plan.pens.empty() ? kWhite : request.paper}};
-    if (request.pens.set == PenSet::cmyk) toned.pens.black = request.pens.black;
-    plan.placer = request.placer;
-    plan.settle_for = request.settle_for;
-    plan.placing = request.placing;
-    std::optional<std::uint64_t>& count = plan.placing.count;
+void Pipeline::tone_for(DrawingPlan& plan, const DrawingSettings& settings) {
+    const bool by_tone = settings.dot_size.sizing == DotSizing::by_tone;
     const bool moves = plan.placer == PlacerKind::exact;
-    const bool by_tone =
-        request.dot_size.sizing == DotSizing::by_tone;  // their number follows; black is solid
-    if (by_tone) count.reset();
-    const bool has_black = !plain_ && !plan.joined && !by_tone;
-    // What follows from how many dots there are.
-    const auto take_dots = [&](double dots) {
-        plan.usual_steps = moves ? usual_steps(dots, picture.x * picture.y) : 0;
-        plan.steps = moves ? std::clamp(request.relax.value_or(plan.usual_steps), 0, kMostRelaxingSteps) : 0;
+    const double width = plan.pixels.x, height = plan.pixels.y, longer = std::max(width, height);
+    PlacingRequest& placing = plan.placing;
+    if (by_tone) placing.count.reset();  // which follows from how large they are
+    Toned toned{plan.tone,
+                {.smallest_area = smallest_area(settings.dot_size), .joined = plan.joined},
+                0,
+                {plan.pens, plan.pens.empty() ? kWhite : settings.paper}};
+    if (settings.pens.set == PenSet::cmyk) toned.pens.black = settings.pens.black;
+
+    const auto choose_steps = [&](double dots) {
+        plan.usual_steps = moves ? usual_steps(dots, plan.page.width_mm * plan.page.height_mm) : 0;
+        plan.steps = moves ? std::clamp(settings.relax.value_or(plan.usual_steps), 0, kMostRelaxingSteps) : 0;
         toned.ink.relaxing_steps = plan.pens.empty() ? plan.steps : steps_among_pens(plan.steps);
-        plan.usual_tone.black = has_black ? std::lerp(1, usual_black(dots), request.tone_strength) : 1;
-        const double usual = request.automatic_tone ? *plan.usual_tone.black : 1;
-        plan.tone.black = has_black ? request.tone.black.value_or(usual) : 1;
-        toned.tone.black = toned.ink.black = *plan.tone.black;
-        plan.full_load = InkCurve(toned.ink).full_load();
-        if (by_tone) plan.placing.scale = scale_of_radius(plan.radius(0), plan.full_load);
     };
-    // Dots at scale 1, nearly: as the histogram has it.
-    const auto expected_at_1 = [&] {
+    const auto choose_black = [&](double dots) {
+        const bool may_be_open = !plain_ && !plan.joined && !by_tone;
+        plan.usual_tone.black = may_be_open ? std::lerp(1, usual_black(dots), settings.tone_strength) : 1;
+        const double usual = settings.automatic_tone ? *plan.usual_tone.black : 1;
+        plan.tone.black = may_be_open ? settings.tone.black.value_or(usual) : 1;
+        toned.tone.black = toned.ink.black = *plan.tone.black;
+    };
+    const auto expect = [&](double dots) {
+        choose_steps(dots);
+        choose_black(dots);
+        plan.full_load = InkCurve(toned.ink).full_load();
+        if (by_tone) placing.scale = scale_of_radius(plan.radius(0), plan.full_load);
+    };
+    // As the histogram has it, nearly.
+    const auto dots_at_scale_1 = [&] {
         const double mean =
             plain_ ? plain_->mean() : mean_density(*plan.histogram, toned.tone, InkCurve(toned.ink));
-        return kDotsPerScale * pixels / (longer * longer) * mean;
+        return kDotsPerScale * (width * height) / (longer * longer) * mean;
     };
     const auto expected = [&] {
-        return count ? static_cast<double>(*count) : plan.placing.scale * expected_at_1();
+        return placing.count ? static_cast<double>(*placing.count) : placing.scale * dots_at_scale_1();
     };
-    take_dots(static_cast<double>(count.value_or(1)));
-    for (int round = 0; !count && round < 3; ++round) take_dots(expected());
-    if (plan.tone.detail > 0) toned.detail_sigma = detail_sigma(pixels, expected());
-
-    // Which density covers how much may depend on the scale, and the scale of a count on the mean density: of
-    // that first as the histogram has it.
-    const auto by_level = [&] { return moves && depends_on_level(plan.steps); };
+    // Which density covers how much may depend on the scale.
+    const auto depends_on_scale = [&] { return moves && depends_on_level(plan.steps); };
     const auto make_density = [&](double scale) {
         toned.ink.level.reset();
-        if (by_level()) toned.ink.level = level_of(scale, tile_->tile().size());
+        if (depends_on_scale()) toned.ink.level = level_of(scale, tile_->tile().size());
         plan.ink = toned.ink;
-        plan.density = density_for(toned, request.mask);
+        plan.density = density_for(toned, settings.mask);
     };
-    if (count) {
-        const auto dots = static_cast<double>(*count);
-        double scale = dots / std::max(expected_at_1(), 1e-9);
+
+    expect(static_cast<double>(placing.count.value_or(1)));
+    for (int round = 0; !placing.count && round < 3; ++round) expect(expected());
+    if (plan.tone.detail > 0) toned.detail_sigma = detail_sigma(width * height, expected());
+    if (placing.count) {
+        // Its scale depends on the mean density: first on that which the histogram tells.
+        double scale = expected() / std::max(dots_at_scale_1(), 1e-9);
         make_density(scale);
-        for (int round = 0; by_level() && round < 2 && plan.density->mean() > 0; ++round) {
-            const double as_told = std::exchange(scale, scale_for(*plan.density, dots));
+        for (int round = 0; depends_on_scale() && round < 2 && plan.density->mean() > 0; ++round) {
+            const double as_told = std::exchange(scale, scale_for(*plan.density, expected()));
             if (std::abs(portable::log2(scale / as_told)) < kSameLevel) break;
             make_density(scale);
         }
         return;
     }
     // As many dots of a count have the same black and steps: known from when the same was planned last.
-    const Scaled scaled{toned, request.mask, plan.placing.scale};
+    const Scaled scaled{toned, settings.mask, placing.scale};
     if (const double* const dots = dots_by_scale_.find(scaled)) {
-        take_dots(*dots);
-        return make_density(plan.placing.scale);
+        expect(*dots);
+        return make_density(placing.scale);
     }
-    make_density(plan.placing.scale);
+    make_density(placing.scale);
     double dots = 0;
     for (int round = 0; round < 3; ++round) {
         const InkedDots before = toned.ink;
-        dots = expected_dots(*plan.density, plan.placing.scale);
-        take_dots(dots);
+        dots = expected_dots(*plan.density, placing.scale);
+        expect(dots);
         if (toned.ink == before) break;
-        make_density(plan.placing.scale);
+        make_density(placing.scale);
     }
     dots_by_scale_.keep(scaled, dots);
 }
 
 // Lines and solid blacks, and the density with room for them. Lines are found on the picture as it is
 // exposed, whatever its tone; black is what the tone makes black.
-void Pipeline::add_inking(DrawingPlan& plan, const DrawingRequest& request) {
+void Pipeline::add_inking(DrawingPlan& plan, const DrawingSettings& request) {
     // What is drawn must not depend on where the drawing is cut or shown, so the gap follows from the plan.
     const double dots = std::max(plan.dots(), 1.0);
     const double spacing = std::sqrt(plan.density->width() * double(plan.density->height()) / dots) /
@@ -367,24 +368,23 @@ void Pipeline::add_inking(DrawingPlan& plan, const DrawingRequest& request) {
         const LitForLines lit{plan.tone.exposure, plan.tone.invert};
         const Grid<float> light = light_for_lines(framed_light(), lit.exposure);
         const auto as_drawn = [&](Grid<float> seen) { return lit.invert ? negative(std::move(seen)) : seen; };
+        const Grid<float> seen = as_drawn(toned_light(light, plan.tone));
         Inking inking;
         if (request.contours > 0)
             inking.lines = lines_shown(lines_.of(lit, [&] { return find_lines(as_drawn(light)); }),
                                        request.contours);
         if (request.solid < 1) {
-            inking.areas = blacks_.of({plan.tone, request.solid}, [&] {
-                return find_blacks(as_drawn(toned_light(light, plan.tone)), request.solid, kLeastSolid);
-            });
+            inking.areas = blacks_.of({plan.tone, request.solid},
+                                      [&] { return find_blacks(seen, request.solid, kLeastSolid); });
             inking.lines = outside(inking.lines, inking.areas, kAlongSolid);
         }
         if (!request.mask.empty())
             inking = within(std::move(inking),
-                            masked(Grid<float>(plan.density->width(), plan.density->height(), 1), request.mask.without_finer(),
-                                   framing_of_light(), {light_.width, light_.height}));
+                            masked(Grid<float>(plan.density->width(), plan.density->height(), 1),
+                                   request.mask.without_finer(), framing_of_light(), {light_.width, light_.height}));
         Room made;
-        const InkCurve ink(plan.ink);
-        inking = fitted(std::move(inking), *plan.density, ink, inked.dots);
-        made.times = room_for_dots(inking, *plan.density, ink, inked.dots);
+        inking = fitted(std::move(inking), seen, inked.dots);
+        made.times = room_for_dots(inking, *plan.density, seen, InkCurve(plan.ink), inked.dots);
         made.density = std::make_shared<const Density>(with_room(*plan.density, made.times));
         made.inking = std::make_shared<const Inking>(std::move(inking));
         return made;
@@ -400,57 +400,65 @@ void Pipeline::add_inking(DrawingPlan& plan, const DrawingRequest& request) {
 namespace {
 
 // As large as pens draw them.
-DrawingRequest with_pens_sizes(const DrawingRequest& asked) {
-    DrawingRequest request = asked;
-    const bool touches = draws_touches(request);
-    if (touches && !have_widths(request.pens) && request.dot_size.sizing != DotSizing::by_tone) {
-        request.dot_size.sizing = DotSizing::fixed;
-        request.dot_size.radius_mm = request.pen_width_mm / 2;
+DrawingSettings with_pens_sizes(const DrawingSettings& asked) {
+    DrawingSettings settings = asked;
+    const bool touches = draws_touches(settings);
+    if (touches && !have_widths(settings.pens) && settings.dot_size.sizing != DotSizing::by_tone) {
+        settings.dot_size.sizing = DotSizing::fixed;
+        settings.dot_size.radius_mm = settings.pen_width_mm / 2;
     }
-    if ((draws_strokes(request) && !touches) || request.dot_size.sizing == DotSizing::by_tone) {
-        request.pens.width_mm = 0;
-        for (Pen& pen : request.pens.own) pen.width_mm = 0;
+    if ((draws_strokes(settings) && !touches) || settings.dot_size.sizing == DotSizing::by_tone) {
+        settings.pens.width_mm = 0;
+        for (Pen& pen : settings.pens.own) pen.width_mm = 0;
     }
-    if (!can_be_finer(asked)) request.mask = request.mask.without_finer();
-    return request;
+    if (!can_be_finer(asked)) settings.mask = settings.mask.without_finer();
+    return settings;
 }
 
 }  // namespace
 
-DrawingPlan Pipeline::plan(const DrawingRequest& asked, std::uint64_t most_dots) {
-    const DrawingRequest request = with_pens_sizes(asked);
+DrawingPlan Pipeline::plan(const DrawingSettings& asked, std::uint64_t most_dots) {
+    const DrawingSettings settings = with_pens_sizes(asked);
     tone_ms_ = 0;
     DrawingPlan plan;
-    frame(request.page);
-    plan.tone = request.tone;
-    plan.size = request.dot_size;
-    if (!plain_) plan.finer = {request.mask, framing_of_light(), {light_.width, light_.height}};
-    plan.joined = request.style != DrawingStyle::dots;
-    plan.stroke_width_mm = keeps_dots_inside(request.page) ? widest_stroke(asked) : 0;
-    if (request.automatic_exposure) plan.tone.exposure = usual_exposure_;
-    if (!plain_) plan.pens = pens_for(request.pens, framed_colours(), plan.tone.exposure, request.paper);
+    frame(settings.page);
+    plan.framing = framing_;
+    plan.opened = pixels();
+    plan.tone = settings.tone;
+    plan.size = settings.dot_size;
+    if (!plain_) plan.finer = {settings.mask, framing_of_light(), {light_.width, light_.height}};
+    plan.placer = settings.placer;
+    plan.settle_for = settings.settle_for;
+    plan.placing = settings.placing;
+    plan.joined = settings.style != DrawingStyle::dots;
+    plan.stroke_width_mm = keeps_dots_inside(settings.page) ? widest_stroke(asked) : 0;
+    if (settings.automatic_exposure) plan.tone.exposure = usual_exposure_;
+    if (!plain_) plan.pens = pens_for(settings.pens, framed_colours(), plan.tone.exposure, settings.paper);
     const std::optional<double> pens_width = width_of_pens(plan.pens);
     if (pens_width && plan.size.sizing == DotSizing::automatic)
         plan.size = {.sizing = DotSizing::fixed, .radius_mm = *pens_width / 2};
     if (!plain_) plan.histogram = histogram(plan.tone.exposure);
     plan.usual_tone = plan.tone;
     if (!plain_) {
-        plan.usual_tone = usual_tone(*plan.histogram, plan.tone, request.tone_strength);
+        plan.usual_tone = usual_tone(*plan.histogram, plan.tone, settings.tone_strength);
         // Colours that are made much lighter get pale, as few of them are both light and strong: half the
         // way.
         if (has_colour(plan.pens) && !framed_colours().empty())
             plan.usual_tone.gamma = std::sqrt(plan.usual_tone.gamma);
     }
-    if (request.automatic_tone) plan.tone = plan.usual_tone;
+    if (settings.automatic_tone) plan.tone = plan.usual_tone;
 
-    tone_for(plan, request);
+    lay_out(plan, settings.page,
+            plain_ ? glm::ivec2(plain_->width(), plain_->height())
+                   : glm::ivec2(framed_light().width, framed_light().height));
+    tone_for(plan, settings);
 
     const double dots = plan.dots();
     const double most =
-        static_cast<double>(most_dots) / (request.placer == PlacerKind::exact ? 1 : kWithDuplicates);
-    if (!plan.pens.empty()) plan.by_pen = by_pen_under(request.mask);
+        static_cast<double>(most_dots) / (settings.placer == PlacerKind::exact ? 1 : kWithDuplicates);
+    if (!plan.pens.empty()) plan.by_pen = by_pen_under(settings.mask);
     if (plain_ && plan.steps > 0) plan.density = plain_for(dots);
-    if (!plain_ && has_inking(request)) add_inking(plan, request);
+    if (!plain_ && has_inking(settings)) add_inking(plan, settings);
     plan.lowered = dots > most;
     if (plan.lowered && plan.placing.count) plan.placing.count = static_cast<std::uint64_t>(most);
     if (plan.lowered && !plan.placing.count) plan.placing.scale = scale_for(*plan.density, most);

@@ -6,6 +6,7 @@
 //
 // A stage is done again only if something that it depends on has changed.
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -90,6 +91,8 @@ struct DrawingPlan {
     std::shared_ptr<const Inking> inking;  // lines and solid blacks among the dots; none: null
     PageSetup setup;
     glm::ivec2 pixels{1, 1};  // of the picture, framed
+    Framing framing;          // of the picture that was opened,
+    glm::ivec2 opened{1, 1};  // which has so many pixels
 
     /// The scale that is asked for, or at which a count ends once Pipeline::find_scale() found that.
     DAPPLE_API double scale() const;
@@ -112,6 +115,11 @@ struct DrawingPlan {
     double dots_for_tone() const;
     /// And the radius, in page units, with which a drawing that came to that scale gives it.
     double radius_for_its_tone(double scale) const { return radius_for_tone(scale, full_load); }
+
+    /// Of the picture, in page units.
+    glm::dvec2 picture_size() const {
+        return glm::dvec2(pixels) / static_cast<double>(std::max(pixels.x, pixels.y));
+    }
 };
 
 /// For someone who watches. Both may be left empty.
@@ -167,7 +175,7 @@ class Pipeline {
     /// Touches are as large as the pen's line is wide. Where several pens draw lines or shapes, dots are as
     /// large as one pen's would be; a pen's width is then its lines'. A count or a scale that asks for more
     /// than `most_dots` is lowered.
-    DrawingPlan plan(const DrawingRequest& asked, std::uint64_t most_dots = kMostDots);
+    DrawingPlan plan(const DrawingSettings& asked, std::uint64_t most_dots = kMostDots);
 
     /// The scale that stream() comes to; a count's end is found now and kept in the plan.
     double find_scale(DrawingPlan& plan);
@@ -263,9 +271,9 @@ class Pipeline {
     PenDensities by_pen_under(const Mask& mask) const;  // of the density made last
     std::shared_ptr<const Histogram> histogram(float exposure);
     Tone usual_tone(const Histogram& histogram, const Tone& own, double strength);
-    void tone_for(DrawingPlan& plan, const DrawingRequest& request);
+    void tone_for(DrawingPlan& plan, const DrawingSettings& settings);
     std::shared_ptr<const Density> plain_for(double dots);
-    void add_inking(DrawingPlan& plan, const DrawingRequest& request);
+    void add_inking(DrawingPlan& plan, const DrawingSettings& request);
 
     void frame(const PageSetup& setup);
     /// The framing in values of the light: those that have a pixel of it.

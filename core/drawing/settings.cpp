@@ -26,19 +26,19 @@ constexpr double kFew = 13'600, kMany = 40'000;
 
 }  // namespace
 
-bool draws_strokes(const DrawingRequest& request) {
-    return request.style != DrawingStyle::dots || request.mark.shape != DotShape::circle;
+bool draws_strokes(const DrawingSettings& settings) {
+    return settings.style != DrawingStyle::dots || settings.mark.shape != DotShape::circle;
 }
 
-bool can_be_finer(const DrawingRequest& request) {
-    if (request.style != DrawingStyle::dots || draws_touches(request)) return false;
-    const bool by_tone = request.dot_size.sizing == DotSizing::by_tone;
-    return by_tone || draws_strokes(request) || !have_widths(request.pens);
+bool can_be_finer(const DrawingSettings& settings) {
+    if (settings.style != DrawingStyle::dots || draws_touches(settings)) return false;
+    const bool by_tone = settings.dot_size.sizing == DotSizing::by_tone;
+    return by_tone || draws_strokes(settings) || !have_widths(settings.pens);
 }
 
-bool has_several_sizes(const DrawingRequest& request) {
-    return request.dot_size.sizing == DotSizing::by_tone ||
-           (request.mask.has_finer() && can_be_finer(request));
+bool has_several_sizes(const DrawingSettings& settings) {
+    return settings.dot_size.sizing == DotSizing::by_tone ||
+           (settings.mask.has_finer() && can_be_finer(settings));
 }
 
 std::vector<double> stroke_widths(const PenChoice& choice, double pen_width_mm, std::span<const Pen> pens,
@@ -65,17 +65,17 @@ bool have_widths(const PenChoice& pens) {
     return std::ranges::any_of(pens.own, [](const Pen& pen) { return pen.width_mm > 0; });
 }
 
-bool draws_touches(const DrawingRequest& request) {
-    return request.style == DrawingStyle::dots && request.mark.shape == DotShape::point;
+bool draws_touches(const DrawingSettings& settings) {
+    return settings.style == DrawingStyle::dots && settings.mark.shape == DotShape::point;
 }
 
-double widest_stroke(const DrawingRequest& request) {
-    if (!draws_strokes(request)) return 0;
-    const PenChoice& choice = request.pens;
+double widest_stroke(const DrawingSettings& settings) {
+    if (!draws_strokes(settings)) return 0;
+    const PenChoice& choice = settings.pens;
     Palette pens = have_own_widths(choice) ? choice.own : palette_of(choice);
     if (pens.empty() && choice.set == PenSet::automatic) pens.emplace_back();  // all are as wide
-    const std::vector<double> widths = stroke_widths(choice, request.pen_width_mm, pens, pen_use(request));
-    return widths.empty() ? request.pen_width_mm : std::ranges::max(widths);
+    const std::vector<double> widths = stroke_widths(choice, settings.pen_width_mm, pens, pen_use(settings));
+    return widths.empty() ? settings.pen_width_mm : std::ranges::max(widths);
 }
 
 int usual_steps(double dots, double picture_area_mm2) {

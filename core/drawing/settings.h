@@ -1,7 +1,6 @@
 #pragma once
 // Everything that decides how a drawing looks, beside the picture. One value: the viewer's panels edit it,
-// the command line fills it, and the same settings give the same dots in both. DrawingRequest is what decides
-// where the dots lie and how large they are.
+// the command line fills it, and the same settings give the same dots in both.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -61,51 +60,72 @@ constexpr auto names_of(SettleFor) {
     return names("pictures", "samples");
 }
 
+inline constexpr std::uint64_t kDefaultDots = 40'000;
+
+/// The built-in tile whose pictures look best.
+inline constexpr const char* kDefaultTile = "kinds4096";
+
+/// The strength at which automatic tone keeps most of both what is dark and what is light: in eleven
+/// photographs, drawings follow the darkest and the lightest third of a photograph better with it than
+/// without.
+inline constexpr double kUsualToneStrength = 0.6;
+
 /// What someone asks for.
-struct DrawingRequest {
+struct DrawingSettings {
     /// If automatic, black point, white point, contrast, brightness and gamma are chosen for the picture;
     /// `tone` says the rest. A picture of one tone keeps its own.
     bool automatic_tone = true;
-    double tone_strength = 1;  // of automatic tone, 0..1: see auto_tone()
+    double tone_strength = kUsualToneStrength;  // of automatic tone, 0..1: see auto_tone()
     /// If automatic, tone.exposure is the picture's usual one: see Pipeline::set_light().
     bool automatic_exposure = true;
-    Tone tone = {};
+    Tone tone = {.detail = kAutoDetail};
     Mask mask = {};  // over the picture's density
+
+    std::string tile = kDefaultTile;            // a name for tile_named()
+    std::optional<RankingMethod> ranking = {};  // none: the tile's own
     PlacerKind placer = PlacerKind::exact;
     /// The placing of the whole page. Where dot sizes go by tone, neither its count nor its scale has a say.
-    PlacingRequest placing = {};
-    std::optional<int> relax =
-        {};  // steps, 0..kMostRelaxingSteps; none: usual_steps(). Figure 8's dots stay as placed
+    PlacingRequest placing = {.count = kDefaultDots, .threads = 0};
+    /// Steps, 0..kMostRelaxingSteps; none: usual_steps(). Figure 8's dots stay as placed.
+    std::optional<int> relax = {};
     SettleFor settle_for = SettleFor::pictures;
     DotSize dot_size = {};
+
     PageSetup page = {};
-    PenChoice pens = {};       // what several draw follows from the picture's colours
-    glm::vec3 paper = kWhite;  // sRGB-encoded; has a say in that alone
+    Sheet sheets = {};  // all of these are saved, each in a file of its own, rather than the page
+
+    PenChoice pens = {};        // what several draw follows from the picture's colours
+    bool registration = false;  // several pens draw crosses too: see registration_marks()
+    glm::vec3 ink = kBlack;     // sRGB-encoded, 0..1; several pens have colours of their own
+    glm::vec3 paper = kWhite;   // sRGB-encoded; where dots lie follows from it for several pens alone
+    bool background = false;    // paint the paper under an SVG's dots
+    bool show_tiles = false;    // the boundaries of the tiles, coloured by level
+
     /// How much of the picture's contours is drawn as lines among the dots, 0..1; 0: none.
     double contours = 0;
-    /// What is darker than that becomes a solid shape, 0..1 as ink covers it; 1: nothing does.
+    /// What is darker than that becomes a solid shape, 0..1 from white to black; 1: nothing does.
     double solid = 1;
     DrawingStyle style = DrawingStyle::dots;
     DotMark mark = {};          // each dot's shape, where the style is dots
     double pen_width_mm = 0.3;  // of the strokes that shapes and lines are drawn with
 
-    bool operator==(const DrawingRequest&) const = default;
+    bool operator==(const DrawingSettings&) const = default;
 };
 
 /// Whether lines or solid blacks are drawn among the dots.
-inline bool has_inking(const DrawingRequest& request) {
-    return request.contours > 0 || request.solid < 1;
+inline bool has_inking(const DrawingSettings& settings) {
+    return settings.contours > 0 || settings.solid < 1;
 }
 
 /// Whether a pen draws lines, rather than dots being filled circles.
-bool draws_strokes(const DrawingRequest& request);
+bool draws_strokes(const DrawingSettings& settings);
 
 /// Whether dots can be finer where the mask asks for it: not lines, which are as wide everywhere, nor dots
 /// that are as large as their pen is wide. What cannot is drawn as if nothing was finer.
-bool can_be_finer(const DrawingRequest& request);
+bool can_be_finer(const DrawingSettings& settings);
 
 /// Whether dots are of several sizes, those of pens of several widths aside.
-bool has_several_sizes(const DrawingRequest& request);
+bool has_several_sizes(const DrawingSettings& settings);
 
 /// What pens do: ink spreads about a dot where the pen rests, and not along a line.
 enum class PenUse { lines, touches };
@@ -119,13 +139,13 @@ std::vector<double> stroke_widths(const PenChoice& choice, double pen_width_mm, 
 bool have_widths(const PenChoice& pens);
 
 /// Whether each dot is a touch of the pen, and as large as what that leaves.
-bool draws_touches(const DrawingRequest& request);
-inline PenUse pen_use(const DrawingRequest& request) {
-    return draws_touches(request) ? PenUse::touches : PenUse::lines;
+bool draws_touches(const DrawingSettings& settings);
+inline PenUse pen_use(const DrawingSettings& settings) {
+    return draws_touches(settings) ? PenUse::touches : PenUse::lines;
 }
 
 /// The widest line that a pen draws, or the widest touch, in millimetres; 0 where dots are filled circles.
-double widest_stroke(const DrawingRequest& request);
+double widest_stroke(const DrawingSettings& settings);
 
 inline constexpr int kFewestUsualSteps = 7;
 
@@ -133,16 +153,6 @@ inline constexpr int kFewestUsualSteps = 7;
 /// in proportion to 1 / sqrt(dots), kFewestUsualSteps for 40,000 and more; none where dots lie closer than
 /// the eye can tell apart on paper and are so many that they would be waited for.
 int usual_steps(double dots, double picture_area_mm2);
-
-inline constexpr std::uint64_t kDefaultDots = 40'000;
-
-/// The built-in tile whose pictures look best.
-inline constexpr const char* kDefaultTile = "kinds4096";
-
-/// The strength at which automatic tone keeps most of both what is dark and what is light: in eleven
-/// photographs, drawings follow the darkest and the lightest third of a photograph better with it than
-/// without.
-inline constexpr double kUsualToneStrength = 0.6;
 
 /// The longest side of a page, 100 m: a longer one is a slip of the keyboard, or comes of a picture one pixel
 /// wide.
@@ -152,29 +162,6 @@ inline constexpr double kShortestSideMm = 0.01;
 
 /// The range of a dot's radius.
 inline constexpr double kSmallestRadiusMm = 1e-6, kLargestRadiusMm = 1000;
-
-/// Which tile dots are placed with, and in which colours and parts they are drawn.
-struct DrawnWith {
-    std::string tile = kDefaultTile;       // a name for tile_named()
-    std::optional<RankingMethod> ranking;  // none: the tile's own
-    Sheet sheets;               // all of these are saved, each in a file of its own, rather than the page
-    bool registration = false;  // several pens draw crosses too: see registration_marks()
-    glm::vec3 ink = kBlack;     // sRGB-encoded, 0..1; several pens have colours of their own
-    bool background = false;    // paint the paper under an SVG's dots
-    bool show_tiles = false;    // the boundaries of the tiles, coloured by level
-
-    bool operator==(const DrawnWith&) const = default;
-};
-
-struct DrawingSettings : DrawingRequest, DrawnWith {
-    DrawingSettings() {
-        tone_strength = kUsualToneStrength;
-        tone.detail = kAutoDetail;
-        placing = {.count = kDefaultDots, .threads = 0};
-    }
-
-    bool operator==(const DrawingSettings&) const = default;
-};
 
 /// A template of one's own for G-code. Its text, so that a drawing needs no other file.
 struct OwnTemplate {

@@ -20,10 +20,8 @@ constexpr int kMostThreads = 1024;
 // Thrown from within a writer to leave it.
 struct Stopped {};
 
-DrawingFile file_of(const Drawing& drawing, DrawingFormat format) {
-    const Settings& settings = drawing.settings;
-    return {.path = {},
-            .format = format,
+DrawingFile file_of(const Settings& settings, DrawingFormat format) {
+    return {.format = format,
             .settings = settings.drawing,
             .saving = settings.saving,
             .embedded = settings.embedded};
@@ -93,9 +91,8 @@ double Drawing::period_mm() const {
 }
 
 bool Drawing::write(std::ostream& out, DrawingFormat format, const Watch& watch) const {
-    const DrawingSettings& wanted = settings.drawing;
-    DrawingToSave drawing = drawing_on(page, *this, file_of(*this, format), watch.stop);
-    const DotOrder order = order_of(drawing, format, wanted.style);
+    DrawingToSave drawing = drawing_on(page, *this, file_of(settings, format), watch.stop);
+    const DotOrder order = order_of(drawing);
     const auto tell = [&](double share) {
         if (watch.progress) watch.progress(share);
     };
@@ -109,7 +106,7 @@ bool Drawing::write(std::ostream& out, DrawingFormat format, const Watch& watch)
         drawing.dots = stream_of(std::move(sorted), drawing.dots.scale);
     }
     try {
-        write_as(format, out, ink_page(wanted, drawing, format), [&](double share) {
+        write_as(format, out, ink_page(drawing), [&](double share) {
             if (watch.stop.stop_requested()) throw Stopped();
             tell(routing + (1 - routing) * share);
         });
@@ -121,28 +118,22 @@ bool Drawing::write(std::ostream& out, DrawingFormat format, const Watch& watch)
 }
 
 std::vector<Finding> Drawing::findings(DrawingFormat format, const Watch& watch) const {
-    const DrawingFile file = file_of(*this, format);
-    DrawingToSave drawing = drawing_on(page, *this, file, watch.stop);
+    DrawingToSave drawing = drawing_on(page, *this, file_of(settings, format), watch.stop);
     const bool measured = count <= kMostSortedDots;
     DotPieces sorted;
     if (measured) {
-        sorted = sorted_by_pen(drawing.dots, order_of(drawing, format, file.settings.style), watch);
+        sorted = sorted_by_pen(drawing.dots, order_of(drawing), watch);
         drawing.dots = stream_of(sorted, drawing.dots.scale);
     }
     if (watch.stop.stop_requested()) return {};
-    return figures_of({.plan = plan,
-                       .file = file,
-                       .page = page,
-                       .drawing = drawing,
-                       .by_pen = measured ? &sorted : nullptr})
-        .findings;
+    return figures_of(plan, page, drawing, measured ? &sorted : nullptr).findings;
 }
 
 Grid<glm::u8vec3> Drawing::pixels(double dpi) const {
     if (!(dpi > 0)) throw std::runtime_error(fmt::format("{} pixels to the inch; give more than 0", dpi));
-    DrawingToSave drawing = drawing_on(page, *this, file_of(*this, DrawingFormat::png));
-    drawing.saving.dpi = dpi;
-    return page_pixels(settings.drawing, drawing);
+    DrawingToSave drawing = drawing_on(page, *this, file_of(settings, DrawingFormat::png));
+    drawing.file.saving.dpi = dpi;
+    return page_pixels(drawing);
 }
 
 struct Stippler::State {

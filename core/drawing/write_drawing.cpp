@@ -107,17 +107,14 @@ DrawingToSave drawing_on(const DrawnPage& page, const PlannedDrawing& drawing, c
     const DrawingPlan& plan = drawing.plan;
     const PageSize& size = page.part.size;
     const glm::dvec2 corner = corner_of(page.part);
-    const double longer = std::max(plan.pixels.x, plan.pixels.y);
-    DrawingToSave result{.dots = drawing.dots(reached(page, file, plan.radius(drawing.scale)), stop),
+    DrawingToSave result{.file = file,
+                         .dots = drawing.dots(reached(page, file, plan.radius(drawing.scale)), stop),
                          .page = size,
                          .pens = plan.pens,
                          .dot_radius_mm = drawing.radius_mm(),
                          .cut_marks = page.cut_marks,
-                         .picture = Rectangle<double>{-corner, -corner + glm::dvec2(plan.pixels) / longer},
-                         .tile_size = drawing.tile_size,
-                         .saving = file.saving,
-                         .format = file.format,
-                         .settings = file.embedded};
+                         .picture = Rectangle<double>{-corner, -corner + plan.picture_size()},
+                         .tile_size = drawing.tile_size};
     if (plan.inking) result.inking = inking_on(page.part, plan, file);
     if (file.settings.show_tiles) result.tiles = drawing.outlines();
     move_to(page.part.part, result.tiles);
@@ -126,13 +123,14 @@ DrawingToSave drawing_on(const DrawnPage& page, const PlannedDrawing& drawing, c
     return result;
 }
 
-Grid<glm::u8vec3> page_pixels(const DrawingSettings& settings, const DrawingToSave& drawing) {
-    const InkPage page = ink_page(settings, drawing, DrawingFormat::png);
-    const RasterRequest request{.dpi = drawing.saving.dpi};
+Grid<glm::u8vec3> page_pixels(const DrawingToSave& drawing) {
+    const InkPage page = ink_page(drawing);
+    const RasterRequest request{.dpi = drawing.file.saving.dpi};
     const RasterSize size = raster_size(page.size, request.dpi);
     Grid<glm::u8vec3> all(size.width, size.height);
     rasterise(page, request, [&](int first_row, std::span<const Grid<float>> coverage) {
-        std::ranges::copy(ink_on_paper(coverage, page, settings.paper).values, all.row(first_row));
+        std::ranges::copy(ink_on_paper(coverage, page, drawing.file.settings.paper).values,
+                          all.row(first_row));
     });
     return all;
 }
@@ -159,12 +157,11 @@ PlottingTime time_for(const DrawingToSave& drawing, const std::optional<StrokeSt
 
 // Its dots and its page, where the origin is, and how long the machine takes for the strokes, or for the
 // dots, in the order in which they come.
-std::vector<std::string> machine_comments(const DrawingSettings& settings, const DrawingToSave& drawing,
-                                          const std::optional<StrokeStream>& strokes, DrawingFormat format) {
-    const SavingChoice& saving = drawing.saving;
-    const Machine machine = saving.machine.value_or(usual_machine(format, saving.tool));
-    const PlottingTime time =
-        time_for(drawing, strokes, program_for(machine, format, settings, drawing).program);
+std::vector<std::string> machine_comments(const DrawingToSave& drawing,
+                                          const std::optional<StrokeStream>& strokes) {
+    const SavingChoice& saving = drawing.file.saving;
+    const Machine machine = saving.machine.value_or(usual_machine(drawing.file.format, saving.tool));
+    const PlottingTime time = time_for(drawing, strokes, program_for(machine, drawing).program);
     const std::string by = drawing.pens.size() == 1 ? " by the pen " + drawing.pens[0].name : "";
     return {fmt::format("{} dots{} on a page of {:.4g} x {:.4g} mm", grouped(drawing.dots.count), by,
                         drawing.page.width_mm, drawing.page.height_mm),
@@ -174,35 +171,36 @@ std::vector<std::string> machine_comments(const DrawingSettings& settings, const
 
 }  // namespace
 
-std::vector<CutMark> registration_of(const DrawingSettings& settings, const DrawingToSave& drawing) {
-    if (!settings.registration || drawing.pens.empty()) return {};
+std::vector<CutMark> registration_of(const DrawingToSave& drawing) {
+    if (!drawing.file.settings.registration || drawing.pens.empty()) return {};
     return registration_marks(drawing.page);
 }
 
-InkPage ink_page(const DrawingSettings& settings, const DrawingToSave& drawing, DrawingFormat format) {
+InkPage ink_page(const DrawingToSave& drawing) {
+    const auto& [path, format, settings, saving, embedded] = drawing.file;
     InkPage page{.size = drawing.page,
                  .dots = drawing.dots,
-                 .strokes = strokes_of(settings, drawing, format),
+                 .strokes = strokes_of(drawing),
                  .dot_radius_mm = drawing.dot_radius_mm,
                  .inking = drawing.inking,
                  .ink = settings.ink,
                  .pens = drawing.pens,
-                 .registration = registration_of(settings, drawing),
+                 .registration = registration_of(drawing),
                  .tiles = drawing.tiles,
                  .picture = drawing.picture,
                  .cut_marks = drawing.cut_marks,
                  .tile_size = drawing.tile_size,
                  .figure8 = settings.placer == PlacerKind::figure8,
-                 .settings = drawing.settings};
+                 .settings = embedded};
     if (settings.background) page.background = settings.paper;
     const bool gcode = format == DrawingFormat::gcode;
     if (gcode) {
-        check_heights(drawing.saving);
-        page.gcode = gcode_style_of(drawing.saving);
+        check_heights(saving);
+        page.gcode = gcode_style_of(saving);
     }
     // In a template of one's own they may begin otherwise.
-    if (is_touched(format) && !(gcode && !drawing.saving.gcode_template.text.empty()))
-        page.comments = machine_comments(settings, drawing, page.strokes, format);
+    if (is_touched(format) && !(gcode && !saving.gcode_template.text.empty()))
+        page.comments = machine_comments(drawing, page.strokes);
     return page;
 }
 

@@ -1,9 +1,7 @@
 #pragma once
 // A drawing on its way into a file.
 
-#include <filesystem>
 #include <stop_token>
-#include <string>
 #include <vector>
 
 #include "core/drawing/drawing.h"
@@ -21,15 +19,6 @@ namespace dapple {
 //
 // Only the first step, Pipeline::drawing(), needs the pipeline, which may then go on with other drawings. It
 // finds the scale; dots are placed for each part anew, except for Figure 8's and those of several pens.
-
-/// What is to be saved where.
-struct DrawingFile {
-    std::filesystem::path path;  // "-": the standard output
-    DrawingFormat format = DrawingFormat::svg;
-    DrawingSettings settings;
-    SavingChoice saving;
-    std::string embedded;  // see embedded_settings()
-};
 
 /// Where on a page a file's drawing lies.
 struct DrawnPage {
@@ -65,17 +54,17 @@ DrawingToSave drawing_on(const DrawnPage& page, const PlannedDrawing& drawing, c
 
 // A page as a picture in memory: small ones, to be shown or to be part of a film.
 
-/// 8 bits a channel, with the settings' ink and paper, of dots in the order given.
-Grid<glm::u8vec3> page_pixels(const DrawingSettings& settings, const DrawingToSave& drawing);
+/// 8 bits a channel, with the settings' ink and paper, of dots in the order given. The file is one of pixels.
+Grid<glm::u8vec3> page_pixels(const DrawingToSave& drawing);
 
 /// The resolution at which a page's longer side has so many pixels.
 double dpi_for(const PageSize& page, int longer_side);
 
-/// What such a file shows of the drawing, which must outlive it; the dots come in their order. Throws if the
+/// What the file shows of the drawing, which must outlive it; the dots come in their order. Throws if the
 /// format cannot hold such a drawing.
-InkPage ink_page(const DrawingSettings& settings, const DrawingToSave& drawing, DrawingFormat format);
+InkPage ink_page(const DrawingToSave& drawing);
 
 /// The crosses that each of several pens draws, if the settings ask for them.
-std::vector<CutMark> registration_of(const DrawingSettings& settings, const DrawingToSave& drawing);
+std::vector<CutMark> registration_of(const DrawingToSave& drawing);
 
 }  // namespace dapple

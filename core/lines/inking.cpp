@@ -269,8 +269,6 @@ Grid<float> means_of_blocks(const Grid<float>& grid, int block) {
 
 namespace {
 
-constexpr int kLongestSide = 1536;  // of the grids below, in pixels
-
 // Dots of less density stand three times as far apart as half of all dots do.
 float least_density(const Grid<float>& density) {
     std::vector<float> sorted = density.values;
@@ -290,7 +288,7 @@ Grid<float> covered_paper(const Grid<float>& density, const InkCurve& ink) {
 }
 
 Grid<float> reduced(const Density& density) {
-    return means_of_blocks(density.values(), blocks_for(density.longer_side(), kLongestSide));
+    return means_of_blocks(density.values(), blocks_for(density.longer_side(), kLongestForLines));
 }
 
 double longer_side_of(const Grid<float>& grid) {
@@ -303,21 +301,21 @@ double gap_for(const DotsAmongLines& dots) {
     return dots.radius + kBare * dots.spacing;
 }
 
-// 0 where dots are light, 1 where they are nearly black.
-float darkness_of(float covered) {
-    constexpr float kFrom = 0.55f, kTo = 0.8f;
-    const float t = std::clamp((covered - kFrom) / (kTo - kFrom), 0.0f, 1.0f);
+// 0 where a picture's light is seen as light, 1 where as nearly black.
+float darkness_of(float seen) {
+    constexpr float kFrom = 0.45f, kTo = 0.2f;
+    const float t = std::clamp((kFrom - seen) / (kFrom - kTo), 0.0f, 1.0f);
     return t * t * (3 - 2 * t);
 }
 
 // Whether a line is lost at each of its points, as both of its sides are nearly black: as most of its points
 // nearby are.
-std::vector<bool> lost_points(const InkLine& line, const Grid<float>& covered, double gap) {
+std::vector<bool> lost_points(const InkLine& line, const Grid<float>& seen, double gap) {
     constexpr std::ptrdiff_t kNearby = 8;
-    const double longer = longer_side_of(covered);
+    const double longer = longer_side_of(seen);
     const auto dark_at = [&](glm::dvec2 place) {
-        const glm::dvec2 pixel = glm::clamp(place * longer, glm::dvec2(0), {covered.width - 1.0, covered.height - 1.0});
-        return darkness_of(covered.at(static_cast<int>(pixel.x), static_cast<int>(pixel.y)));
+        const glm::dvec2 pixel = glm::clamp(place * longer, glm::dvec2(0), {seen.width - 1.0, seen.height - 1.0});
+        return darkness_of(seen.at(static_cast<int>(pixel.x), static_cast<int>(pixel.y)));
     };
     std::vector<float> dark(line.points.size());
     for (std::size_t i = 0; i < dark.size(); ++i) {
@@ -337,17 +335,15 @@ std::vector<bool> lost_points(const InkLine& line, const Grid<float>& covered, d
 
 }  // namespace
 
-Inking fitted(Inking inking, const Density& density, const InkCurve& ink, const DotsAmongLines& dots) {
+Inking fitted(Inking inking, const Grid<float>& seen, const DotsAmongLines& dots) {
     constexpr double kFineDot = 0.002, kMostTimes = 2.5;  // page units: lines are right for such dots
     const auto times = static_cast<float>(std::clamp(dots.radius / kFineDot, 1.0, kMostTimes));
     for (InkLine& line : inking.lines)
         for (float& width : line.widths) width *= times;
-    const Grid<float> own = reduced(density);
-    const Grid<float> covered =
-        blurred(covered_paper(own, ink), 0.5 * gap_for(dots) * longer_side_of(own));
+    const Grid<float> around = blurred(seen, 0.5 * gap_for(dots) * longer_side_of(seen));
     Inking result{.lines = {}, .areas = std::move(inking.areas), .white = {}};
     for (const InkLine& line : inking.lines) {
-        const std::vector<bool> lost = lost_points(line, covered, gap_for(dots));
+        const std::vector<bool> lost = lost_points(line, around, gap_for(dots));
         for (std::size_t begin = 0; begin + 1 < lost.size();) {
             std::size_t end = begin + 1;
             while (end < lost.size() && lost[end] == lost[begin]) ++end;
@@ -365,15 +361,15 @@ Inking fitted(Inking inking, const Density& density, const InkCurve& ink, const 
     return result;
 }
 
-Grid<float> room_for_dots(const Inking& inking, const Density& density, const InkCurve& ink,
-                          const DotsAmongLines& dots) {
+Grid<float> room_for_dots(const Inking& inking, const Density& density, const Grid<float>& seen,
+                          const InkCurve& ink, const DotsAmongLines& dots) {
     const Grid<float> own = reduced(density), wanted = covered_paper(own, ink);
     const int width = own.width, height = own.height;
     const double longer = longer_side_of(own), gap = gap_for(dots);
     const Grid<float> inked = coverage(inking.lines, inking.areas, 0, width, height);
     const Grid<float> near = coverage(inking.lines, inking.areas, gap, width, height);
     const Grid<float> white = coverage(inking.white, {}, dots.radius, width, height);
-    const Grid<float> around = blurred(wanted, gap * longer);
+    const Grid<float> around = blurred(seen, gap * longer);
     const float least = least_density(own);
     // What of the ink that dots are to bring they cannot where they may not be.
     Grid<float> room(width, height), missing(width, height);

@@ -56,16 +56,19 @@ struct DotsAmongLines {
     bool operator==(const DotsAmongLines&) const = default;
 };
 
+/// Pictures are reduced to so many pixels at most along their longer side for what follows.
+inline constexpr int kLongestForLines = 1280;
+
 /// The lines for a drawing with such dots: none is much finer than these, and where both sides of one are so
-/// dark that it would be lost, it is white.
-Inking fitted(Inking inking, const Density& density, const InkCurve& ink, const DotsAmongLines& dots);
+/// dark that it would be lost, it is white. `seen` is the light of the drawn picture, 0..1.
+Inking fitted(Inking inking, const Grid<float>& seen, const DotsAmongLines& dots);
 
 /// What the density is to be multiplied with at each pixel of a grid as large as its own, or smaller by whole
 /// blocks of pixels: 0 where dots would reach into lines and areas or nearly, and where they would stand
 /// alone, at over three times the usual distance from each other. Dots that are nearly black come up to them:
 /// no white rim parts them. What ink the lines carry beyond the tone, and what the gaps lack of it, is made
-/// up for by the dots beside them.
-Grid<float> room_for_dots(const Inking& inking, const Density& density, const InkCurve& ink,
-                          const DotsAmongLines& dots);
+/// up for by the dots beside them. `seen` is as before, of a size that means_of_blocks() gives the density.
+Grid<float> room_for_dots(const Inking& inking, const Density& density, const Grid<float>& seen,
+                          const InkCurve& ink, const DotsAmongLines& dots);
 
 }  // namespace dapple

@@ -70,10 +70,9 @@ static void describe(Fields& fields, PageSetup& page) {
 }
 
 void describe(Fields& fields, DrawingSettings& drawing) {
-    auto& [automatic_tone, tone_strength, automatic_exposure, tone, mask, placer, placing, relax, settle_for,
-           dot_size, page, pens, paper, contours, solid, style, mark, pen_width_mm] = static_cast<DrawingRequest&>(drawing);
-    auto& [tile, ranking, sheets, registration, ink, background, show_tiles] =
-        static_cast<DrawnWith&>(drawing);
+    auto& [automatic_tone, tone_strength, automatic_exposure, tone, mask, tile, ranking, placer, placing,
+           relax, settle_for, dot_size, page, sheets, pens, registration, ink, paper, background, show_tiles,
+           contours, solid, style, mark, pen_width_mm] = drawing;
     fields.flag(setting::automatic_tone, automatic_tone);
     fields.number(setting::tone_strength, tone_strength);
     fields.flag(setting::automatic_exposure, automatic_exposure);

@@ -34,20 +34,20 @@ DotPieces first_of(const DotStream& dots) {
     return first;
 }
 
-double bytes_of(DrawingFormat format, const DrawingSettings& settings, const DrawingToSave& drawing) {
+double bytes_of(const DrawingToSave& drawing) {
     std::stringstream out;
-    write_drawing(out, format, settings, drawing, "");
+    write_drawing(out, drawing, "");
     return static_cast<double>(out.view().size());
 }
 
-double text_bytes(DrawingFormat format, const DrawingSettings& settings, const DrawingToSave& drawing) {
+double text_bytes(const DrawingToSave& drawing) {
     const DotPieces first = first_of(drawing.dots);
     const auto with = [&](const DotPieces& dots, std::size_t tiles) {
         DrawingToSave some = drawing;
         some.dots = stream_of(dots, drawing.dots.scale);
         some.dots.count = drawing.dots.count;  // which has a say in the number of decimals
         some.tiles.resize(tiles);
-        return bytes_of(format, settings, some);
+        return bytes_of(some);
     };
     const auto rest = [](std::uint64_t all, std::size_t some) {
         return static_cast<double>(all) / static_cast<double>(std::max<std::size_t>(some, 1));
@@ -60,10 +60,11 @@ double text_bytes(DrawingFormat format, const DrawingSettings& settings, const D
 
 // Of bands across the page, one below the other: a dot that reaches over a band's end is in the next one as
 // what reaches into that from above would be.
-double pixel_bytes(DrawingFormat format, const DrawingSettings& settings, const DrawingToSave& drawing) {
+double pixel_bytes(const DrawingToSave& drawing) {
+    const double dpi = drawing.file.saving.dpi;
     constexpr int kBands = 12, kRows = 32;
-    const double pixels_per_unit = drawing.page.mm_per_page_unit * drawing.saving.dpi / kMmPerInch;
-    const double height = raster_size(drawing.page, drawing.saving.dpi).height, apart = height / kBands;
+    const double pixels_per_unit = drawing.page.mm_per_page_unit * dpi / kMmPerInch;
+    const double height = raster_size(drawing.page, dpi).height, apart = height / kBands;
     const double rows = std::clamp(std::floor(apart), 1.0, double{kRows});
     DotPieces dots;
     drawing.dots.for_each_piece([&](const Dots& piece) {
@@ -82,19 +83,20 @@ double pixel_bytes(DrawingFormat format, const DrawingSettings& settings, const 
     });
     DrawingToSave bands = drawing;
     bands.dots = stream_of(dots, drawing.dots.scale);
-    bands.page.height_mm = kBands * rows / drawing.saving.dpi * kMmPerInch;
-    return bytes_of(format, settings, bands) * height / (kBands * rows);
+    bands.page.height_mm = kBands * rows / dpi * kMmPerInch;
+    return bytes_of(bands) * height / (kBands * rows);
 }
 
 }  // namespace
 
-std::optional<double> estimated_bytes(DrawingFormat format, const DrawingSettings& settings,
-                                      const DrawingToSave& drawing) {
+std::optional<double> estimated_bytes(const DrawingToSave& drawing) {
+    const DrawingFormat format = drawing.file.format;
     if (format == DrawingFormat::pdf) check_fits_pdf(drawing.page, drawing.dots.count);
-    if (!has_pixels(format)) return text_bytes(format, settings, drawing);
-    raster_size(drawing.page, drawing.saving.dpi);  // throws for one that is too large
-    if (settings.style != DrawingStyle::dots || drawing.strokes) return std::nullopt;
-    return pixel_bytes(format, settings, drawing);
+    if (!has_pixels(format)) return text_bytes(drawing);
+    raster_size(drawing.page, drawing.file.saving.dpi);  // throws for one that is too large
+    const bool of_dots = drawing.file.settings.style == DrawingStyle::dots && !drawing.strokes;
+    if (!of_dots || !drawing.inking.empty()) return std::nullopt;
+    return pixel_bytes(drawing);
 }
 
 }  // namespace dapple

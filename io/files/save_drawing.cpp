@@ -28,8 +28,9 @@ namespace {
 
 bool save(const DrawnPage& page, const PlannedDrawing& drawing, const DrawingFile& file,
           const std::filesystem::path& path, const Watch& watch) {
-    const DrawingToSave part = drawing_on(page, drawing, file, watch.stop);
-    return !watch.stop.stop_requested() && save_drawing(path, file.settings, part, watch);
+    DrawingToSave part = drawing_on(page, drawing, file, watch.stop);
+    part.file.path = path;
+    return !watch.stop.stop_requested() && save_drawing(part, watch);
 }
 
 }  // namespace
@@ -63,17 +64,18 @@ bool is_grey(glm::vec3 colour) {
 struct Stopped {};
 
 // By write_image(header, draw), where draw(sink) hands over bands of what colours(coverage) makes.
-void write_pixels(const DrawingSettings& settings, const DrawingToSave& drawing, const InkPage& page,
-                  const WritingProgress& progress, const auto& write_image, const auto& colours) {
-    const RasterSize size = raster_size(page.size, drawing.saving.dpi);
+void write_pixels(const DrawingFile& file, const InkPage& page, const WritingProgress& progress,
+                  const auto& write_image, const auto& colours) {
+    const DrawingSettings& settings = file.settings;
+    const RasterSize size = raster_size(page.size, file.saving.dpi);
     const bool grey = page.pens.empty() && is_grey(settings.ink) && is_grey(settings.paper);
     const PngHeader header{size.width,
                            size.height,
-                           drawing.saving.dpi,
+                           file.saving.dpi,
                            grey ? PngColours::grey : PngColours::rgb,
-                           {{kPngSettingsKeyword, drawing.settings}}};
+                           {{kPngSettingsKeyword, file.embedded}}};
     write_image(header, [&](const auto& pixels) {
-        rasterise(page, {.dpi = drawing.saving.dpi, .threads = settings.placing.threads},
+        rasterise(page, {.dpi = file.saving.dpi, .threads = settings.placing.threads},
                   [&](int first_row, std::span<const Grid<float>> coverage) {
                       if (progress) progress(static_cast<double>(first_row) / size.height);
                       pixels(colours(coverage, page, settings.paper));
@@ -83,16 +85,17 @@ void write_pixels(const DrawingSettings& settings, const DrawingToSave& drawing,
 
 }  // namespace
 
-void write_drawing(std::ostream& out, DrawingFormat format, const DrawingSettings& settings,
-                   const DrawingToSave& drawing, const std::string& title, const WritingProgress& progress) {
-    const InkPage page = ink_page(settings, drawing, format);
+void write_drawing(std::ostream& out, const DrawingToSave& drawing, const std::string& title,
+                   const WritingProgress& progress) {
+    const DrawingFormat format = drawing.file.format;
+    const InkPage page = ink_page(drawing);
     if (is_text(format)) return write_as(format, out, page, progress);
     if (format == DrawingFormat::pdf) return write_pdf(out, page, title, progress);
     const auto pixels = [&](const auto& write_image, const auto& colours) {
-        write_pixels(settings, drawing, page, progress, write_image, colours);
+        write_pixels(drawing.file, page, progress, write_image, colours);
     };
     const bool png = format == DrawingFormat::png;
-    if (drawing.saving.bits == 16)
+    if (drawing.file.saving.bits == 16)
         pixels(
             [&](const auto&... image) { png ? write_png_16(out, image...) : write_tiff_16(out, image...); },
             []<class... Layers>(const Layers&... layers) { return ink_on_paper<std::uint16_t>(layers...); });
@@ -102,14 +105,9 @@ void write_drawing(std::ostream& out, DrawingFormat format, const DrawingSetting
             []<class... Layers>(const Layers&... layers) { return ink_on_paper<std::uint8_t>(layers...); });
 }
 
-DrawingFormat format_of(const std::filesystem::path& path, const DrawingToSave& drawing) {
-    return drawing.format ? *drawing.format : drawing_format(path);
-}
-
-bool save_drawing(const std::filesystem::path& path, const DrawingSettings& settings,
-                  const DrawingToSave& drawing, const Watch& watch) {
-    const DotOrder order = order_of(drawing, format_of(path, drawing), settings.style);
-    if (order == DotOrder::recursion) return save_ordered(path, settings, drawing, watch);
+bool save_drawing(const DrawingToSave& drawing, const Watch& watch) {
+    const DotOrder order = order_of(drawing);
+    if (order == DotOrder::recursion) return save_ordered(drawing, watch);
     // Half of the progress is the pen's way.
     const double routing = order == DotOrder::shortest ? 0.5 : 0;
     const auto tell = [&](double share) {
@@ -120,21 +118,21 @@ bool save_drawing(const std::filesystem::path& path, const DrawingSettings& sett
     if (watch.stop.stop_requested()) return false;
     DrawingToSave ordered = drawing;
     ordered.dots = stream_of(std::move(sorted), drawing.dots.scale);
-    return save_ordered(path, settings, ordered,
-                        {watch.stop, [&](double share) { tell(routing + (1 - routing) * share); }});
+    return save_ordered(ordered, {watch.stop, [&](double share) { tell(routing + (1 - routing) * share); }});
 }
 
-bool save_ordered(const std::filesystem::path& path, const DrawingSettings& settings,
-                  const DrawingToSave& drawing, const Watch& watch) {
+bool save_ordered(const DrawingToSave& drawing, const Watch& watch) {
+    const std::filesystem::path& path = drawing.file.path;
+    const DrawingFormat format = drawing.file.format;
+    const SavingChoice& saving = drawing.file.saving;
     const bool to_standard_output = path == kStandardStream;
-    const DrawingFormat format = format_of(path, drawing);
     const std::string title = to_standard_output ? "Drawing" : printable(path.stem().string());
     const WritingProgress progress = [&](double share) {
         if (watch.stop.stop_requested()) throw Stopped();
         if (watch.progress) watch.progress(share);
     };
     const auto write = [&](std::ostream& out) {
-        write_drawing(out, format, settings, drawing, title, progress);
+        write_drawing(out, drawing, title, progress);
         progress(1);
     };
     const auto for_each_pen = [&](std::size_t before, const auto& write_pen) {
@@ -147,18 +145,18 @@ bool save_ordered(const std::filesystem::path& path, const DrawingSettings& sett
     try {
         if (to_standard_output) {
             write_to_standard_output(write);
-        } else if (has_pen_files(format, drawing.saving, drawing.pens)) {
+        } else if (has_pen_files(format, saving, drawing.pens)) {
             for_each_pen(0, [&](std::ostream& out, std::size_t pen) {
                 const auto done = static_cast<double>(pen), pens = static_cast<double>(drawing.pens.size());
-                write_drawing(out, format, settings, drawing_of_pen(drawing, pen), title,
+                write_drawing(out, drawing_of_pen(drawing, pen), title,
                               [&](double share) { progress((done + share) / pens); });
             });
             progress(1);
         } else {
             save_atomically(path, write);
-            if (has_separations(format, drawing.saving, drawing.pens))
+            if (has_separations(format, saving, drawing.pens))
                 for_each_pen(1, [&](std::ostream& out, std::size_t pen) {
-                    write_separation(out, format, settings, drawing, pen, progress);
+                    write_separation(out, drawing, pen, progress);
                 });
         }
     } catch (const Stopped&) {

@@ -26,25 +26,17 @@ inline bool is_standard_stream(const std::filesystem::path& path) {
 
 /// Into the stream, the dots in the order they come in. A PDF has that title. A TIFF is written by going back
 /// in the stream. Throws if the format cannot hold such a drawing.
-void write_drawing(std::ostream& out, DrawingFormat format, const DrawingSettings& settings,
-                   const DrawingToSave& drawing, const std::string& title,
+void write_drawing(std::ostream& out, const DrawingToSave& drawing, const std::string& title,
                    const WritingProgress& progress = {});
 
-/// What is written under that name: what the drawing says, or else what the name's ending says. Throws what
-/// drawing_format() throws.
-DrawingFormat format_of(const std::filesystem::path& path, const DrawingToSave& drawing);
-
 /// Writes a drawing whose dots come in the order of the file, and files for each pen if they are asked for:
-/// see files_of() in separations.h. To the standard output if the name is kStandardStream, which needs a
-/// format and takes no TIFF, and has all in one. Returns false if stopped. Throws what drawing_format() and
-/// save_atomically() throw, or if the format cannot hold such a drawing. In both cases an existing file stays
-/// as it was.
-bool save_ordered(const std::filesystem::path& path, const DrawingSettings& settings,
-                  const DrawingToSave& drawing, const Watch& watch = {});
+/// see files_of() in separations.h. To the standard output if the name is kStandardStream, which takes no
+/// TIFF, and has all in one. Returns false if stopped. Throws what save_atomically() throws, or if the format
+/// cannot hold such a drawing. In both cases an existing file stays as it was.
+bool save_ordered(const DrawingToSave& drawing, const Watch& watch = {});
 
 /// The same of dots in any order: they are put in order_of() first.
-bool save_drawing(const std::filesystem::path& path, const DrawingSettings& settings,
-                  const DrawingToSave& drawing, const Watch& watch = {});
+bool save_drawing(const DrawingToSave& drawing, const Watch& watch = {});
 
 // A page into its file, or its sheets into theirs.
 

@@ -136,24 +136,25 @@ DrawingToSave drawing_of_pen(const DrawingToSave& drawing, std::size_t pen) {
     return own;
 }
 
-void write_separation(std::ostream& out, DrawingFormat format, const DrawingSettings& settings,
-                      const DrawingToSave& drawing, std::size_t pen, const WritingProgress& progress) {
+void write_separation(std::ostream& out, const DrawingToSave& drawing, std::size_t pen,
+                      const WritingProgress& progress) {
     const DrawingToSave own = drawing_of_pen(drawing, pen);
-    const InkPage page = ink_page(settings, own, format);
-    const RasterSize size = raster_size(page.size, own.saving.dpi);
-    const PngHeader header{size.width, size.height, own.saving.dpi, PngColours::grey};
+    const InkPage page = ink_page(own);
+    const double dpi = own.file.saving.dpi;
+    const RasterSize size = raster_size(page.size, dpi);
+    const PngHeader header{size.width, size.height, dpi, PngColours::grey};
     const auto draw = [&]<class Channel>(Channel, const auto& pixels) {
-        rasterise(page, {.dpi = own.saving.dpi, .threads = settings.placing.threads},
+        rasterise(page, {.dpi = dpi, .threads = own.file.settings.placing.threads},
                   [&](int first_row, std::span<const Grid<float>> coverage) {
                       if (progress) progress(static_cast<double>(first_row) / size.height);
                       Grid<float> marked = coverage[0];
-                      add_marks(page.registration, own.saving.dpi / kMmPerInch, first_row, marked);
+                      add_marks(page.registration, dpi / kMmPerInch, first_row, marked);
                       pixels(grey_of<Channel>(marked));
                   });
     };
     const auto in_8_bits = [&](const PixelSink& pixels) { draw(std::uint8_t{}, pixels); };
     const auto in_16_bits = [&](const PixelSink16& pixels) { draw(std::uint16_t{}, pixels); };
-    const bool deep = own.saving.bits == 16, png = format == DrawingFormat::png;
+    const bool deep = own.file.saving.bits == 16, png = own.file.format == DrawingFormat::png;
     if (png && deep) return write_png_16(out, header, in_16_bits);
     if (png) return write_png(out, header, in_8_bits);
     if (deep) return write_tiff_16(out, header, in_16_bits);

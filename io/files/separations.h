@@ -33,7 +33,7 @@ DrawingToSave drawing_of_pen(const DrawingToSave& drawing, std::size_t pen);
 
 /// That pen's picture, as a PNG or a TIFF, as large as the drawing's; with registration_marks() if the
 /// settings ask for them.
-void write_separation(std::ostream& out, DrawingFormat format, const DrawingSettings& settings,
-                      const DrawingToSave& drawing, std::size_t pen, const WritingProgress& progress = {});
+void write_separation(std::ostream& out, const DrawingToSave& drawing, std::size_t pen,
+                      const WritingProgress& progress = {});
 
 }  // namespace dapple

@@ -122,20 +122,20 @@ struct Stage {
     double dpi = 0;
 
     DrawingToSave drawing(const DotStream& dots, double radius) const {
-        return {.dots = dots,
+        return {.file = {.format = DrawingFormat::png, .settings = settings, .saving = {.dpi = dpi}},
+                .dots = dots,
                 .page = page.size,
-                .dot_radius_mm = radius * page.size.mm_per_page_unit,
-                .saving = {.dpi = dpi}};
+                .dot_radius_mm = radius * page.size.mm_per_page_unit};
     }
 };
 
 Stage stage_of(Pipeline& pipeline, const DrawingSettings& settings, const FilmChoice& choice) {
     Stage stage;
     stage.settings = film_settings(settings, choice.kind);
-    DrawingRequest request = stage.settings;
-    request.placing.thresholds = choice.kind == FilmKind::levels ||
-                                 (choice.kind == FilmKind::plot && choice.order == DotOrder::priority);
-    stage.plan = pipeline.plan(request, kMostFilmDots);
+    DrawingSettings asked = stage.settings;
+    asked.placing.thresholds = choice.kind == FilmKind::levels ||
+                               (choice.kind == FilmKind::plot && choice.order == DotOrder::priority);
+    stage.plan = pipeline.plan(asked, kMostFilmDots);
     if (stage.plan.density->mean() == 0)
         throw std::runtime_error("there is nothing to film: all of the picture is as light as the paper");
     stage.scale = pipeline.find_scale(stage.plan);
@@ -156,7 +156,7 @@ Grid<glm::u8vec3> grown(Pipeline& pipeline, const Stage& stage, double share, st
         plan.placing.cut.reset();
     }
     const DotStream stream = pipeline.stream(plan, stage.page.part);
-    return page_pixels(stage.settings, stage.drawing(stream, plan.radius(stream.scale)));
+    return page_pixels(stage.drawing(stream, plan.radius(stream.scale)));
 }
 
 // All dots, and a pen for each level.
@@ -194,7 +194,7 @@ FilmFrame film_of_levels(Pipeline& pipeline, Stage stage) {
             dots.pieces.push_back(levels->dots.pieces[static_cast<std::size_t>(level)]);
         DrawingToSave drawing = stage.drawing(stream_of(dots), stage.plan.radius(stage.scale));
         drawing.pens = levels->pens;
-        return page_pixels(stage.settings, drawing);
+        return page_pixels(drawing);
     };
 }
 
@@ -227,7 +227,7 @@ Grid<glm::u8vec3> zoomed(Pipeline& pipeline, const Stage& stage, double zoom) {
             piece.radius[i] = static_cast<float>(radius * std::clamp(there, 0.0, 1.0));
         }
     }
-    return page_pixels(stage.settings, stage.drawing(stream_of(dots), radius));
+    return page_pixels(stage.drawing(stream_of(dots), radius));
 }
 
 FilmFrame film_of_plot(Pipeline& pipeline, Stage stage, const FilmChoice& choice, const Watch& watch) {
@@ -240,7 +240,7 @@ FilmFrame film_of_plot(Pipeline& pipeline, Stage stage, const FilmChoice& choice
     drawing.pens = stage.plan.pens;
     const MachineProgram program = program_of(choice.machine);
     PlotFilm film;
-    if (const auto strokes = strokes_of(stage.settings, drawing, DrawingFormat::png))
+    if (const auto strokes = strokes_of(drawing))
         film = plot_film(collected(*strokes), program);
     else
         film = plot_film(sorted, stage.page.size.mm_per_page_unit, program);
@@ -254,12 +254,12 @@ FilmFrame film_of_plot(Pipeline& pipeline, Stage stage, const FilmChoice& choice
             now.strokes = stream_of(strokes, stage.settings.pen_width_mm);
             now.strokes->widths_mm = stroke_widths(stage.settings.pens, stage.settings.pen_width_mm,
                                                    stage.plan.pens, pen_use(stage.settings));
-            return page_pixels(stage.settings, now);
+            return page_pixels(now);
         }
         const DotPieces dots = first_dots(plot->dots, drawn);
         DrawingToSave now = stage.drawing(stream_of(dots), stage.plan.radius(stage.scale));
         now.pens = stage.plan.pens;
-        return page_pixels(stage.settings, now);
+        return page_pixels(now);
     };
 }
 

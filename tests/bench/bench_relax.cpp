@@ -21,7 +21,8 @@ namespace {
 
 void step(benchmark::State& state, Pipeline& pipeline, RelaxingStep::Kind kind, int threads) {
     const auto count = static_cast<std::uint64_t>(state.range(0));
-    const DrawingPlan plan = pipeline.plan({.placing = {.count = count, .threads = 0}, .relax = 0});
+    const DrawingPlan plan = pipeline.plan(
+        {.tone_strength = 1, .tone = {}, .placing = {.count = count, .threads = 0}, .relax = 0});
     Stippling drawn;
     pipeline.draw(plan, drawn);
     const RelaxingRequest relaxing{

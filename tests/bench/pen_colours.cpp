@@ -52,12 +52,11 @@ Seen seen(Pipeline& pipeline, glm::vec3 colour, const PenChoice& pens, std::uint
     settings.tone = {};
     settings.pens = pens;
     settings.placing.count = dots;
-    const DrawingFile file{
-        .path = {}, .format = DrawingFormat::png, .settings = settings, .saving = {}, .embedded = {}};
+    const DrawingFile file{.format = DrawingFormat::png, .settings = settings};
     const auto placed = pipeline.drawing(pipeline.plan(settings));
     DrawingToSave drawing = drawing_on(drawn_page(placed->layout()), *placed, file);
-    drawing.saving.dpi = dpi_for(drawing.page, kDrawnSide);
-    const Grid<glm::u8vec3> pixels = page_pixels(settings, drawing);
+    drawing.file.saving.dpi = dpi_for(drawing.page, kDrawnSide);
+    const Grid<glm::u8vec3> pixels = page_pixels(drawing);
     glm::dvec3 sum(0);
     int count = 0;
     for (int y = kEdge; y < pixels.height - kEdge; ++y)

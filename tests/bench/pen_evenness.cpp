@@ -103,9 +103,8 @@ void print_table(Measured what, const std::vector<Drawing>& drawings, const PenD
 
 Stippling drawn_dots(Pipeline& pipeline, const Density& density, std::uint64_t count) {
     pipeline.set_plain(density);
-    DrawingRequest request;
+    DrawingSettings request;
     request.placing.count = count;
-    request.placing.threads = 0;
     Stippling drawn;
     pipeline.draw(pipeline.plan(request), drawn);
     return drawn;

@@ -216,7 +216,8 @@ void measure_pictures(const Wanted& wanted, Pipeline& pipeline) {
 // Prints what a drawing in automatic tone comes to with that black, as it would be saved.
 void print_black(Pipeline& pipeline, const Grid<float>& light, std::size_t count, std::optional<double> black,
                  std::optional<int> steps) {
-    DrawingRequest request;
+    DrawingSettings request;
+    request.tone_strength = 1;
     request.relax = steps;
     request.tone = {.detail = kAutoDetail, .black = black};
     request.placing = {.count = count, .threads = 0};

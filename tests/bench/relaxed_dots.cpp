@@ -7,8 +7,9 @@ double processor_ms_since(std::clock_t start) {
 }
 
 RelaxedDots relaxed_dots(Pipeline& pipeline, std::size_t count, int steps) {
-    DrawingRequest request;
+    DrawingSettings request;
     request.automatic_tone = false;
+    request.tone = {};
     request.placing = {.count = count, .threads = 0};
     request.relax = steps;
     request.page.margins = Margins{};  // so that the page ends with the picture

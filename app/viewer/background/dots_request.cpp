@@ -25,12 +25,16 @@ Density plain_density(const DensityChoice& choice) {
 }
 
 DotsRequest dots_request(const DrawingSettings& settings, const DensityChoice& density) {
-    return {.drawing = settings,
-            .tile = tile_in_use(settings),
-            .ranking = settings.ranking,
-            .outlines = settings.show_tiles,
-            .density = density,
-            .strokes = {settings.style, settings.mark, settings.pen_width_mm, {}, settings.pens}};
+    DotsRequest request{.drawing = settings, .density = density};
+    DrawingSettings& drawing = request.drawing;
+    drawing.tile = tile_in_use(settings);
+    // No dot depends on these: another ink places none anew.
+    const DrawingSettings usual;
+    drawing.sheets = usual.sheets;
+    drawing.registration = usual.registration;
+    drawing.ink = usual.ink;
+    drawing.background = usual.background;
+    return request;
 }
 
 }  // namespace dapple

@@ -3,20 +3,16 @@
 
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
-#include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "app/viewer/background/dot_blocks.h"
 #include "app/viewer/background/shown_strokes.h"
 #include "core/drawing/page_setup.h"
+#include "core/drawing/pipeline.h"
 #include "core/drawing/settings.h"
 #include "core/image/density.h"
-#include "core/image/histogram.h"
 #include "core/image/ink.h"
-#include "core/image/mask.h"
-#include "core/image/tone.h"
 #include "core/placing/stipple.h"
 #include "core/text/names.h"
 
@@ -48,19 +44,16 @@ struct CloseView {
     bool operator==(const CloseView&) const = default;
 };
 
-/// Those of the settings that dots depend on.
+/// What the drawing on the screen depends on: it is placed anew where a request is another than the last.
 struct DotsRequest {
-    DrawingRequest drawing;
+    DrawingSettings drawing = {};  // what neither dots nor outlines depend on is as usual: see dots_request()
     std::uint64_t most_dots = kMostDots;
-    std::string tile;
-    std::optional<RankingMethod> ranking;
-    bool outlines = false;                // the tiles too
     std::optional<CloseView> close = {};  // instead of the whole page, as placed; the exact placer only
     DensityChoice density = {};
     DotColourChoice colours = {};
-    bool settled_only = false;  // nothing is shown on the way
-    bool in_part = true;        // preview_dots() may be shown for a while
-    StrokeChoice strokes = {};  // how dots come onto the screen
+    bool settled_only = false;                // nothing is shown on the way
+    bool in_part = true;                      // preview_dots() may be shown for a while
+    std::optional<DotOrder> line_order = {};  // of one line through all dots; none: the shortest
 
     bool operator==(const DotsRequest&) const = default;
 };
@@ -69,32 +62,31 @@ DotsRequest dots_request(const DrawingSettings& settings, const DensityChoice& d
 // A drawing as the window has it: its dots, and what is to be known of them.
 
 struct PlacedDrawing : Stippling {
-    std::optional<DotsRequest> request;          // that it was placed for; none: nothing was
-    Tone tone;                                   // as drawn, with the values that were chosen automatically
-    Tone usual_tone;                             // see DrawingPlan
-    std::shared_ptr<const Histogram> histogram;  // of the picture's light as exposed; none without one
-    int all_steps = 0;                           // of relaxation, to be done
-    int usual_steps = 0;                         // that so many dots are relaxed where none are asked for
-    double dot_radius = 0;                       // page units: of all, or of the largest ones
-    InkedDots ink;                               // how they cover the paper
-    double dots_for_tone = 0;                    // that would give the picture's, of a fixed size; 0: they do
-    double radius_for_tone_mm = 0;               // of these dots, that would do so
+    std::optional<DotsRequest> request;  // that it was placed for; none: nothing was
+    DrawingPlan plan;                    // what that came to; without its densities, which take much memory
+    PageLayout layout;                   // of the whole page
+    InkedDots ink;                       // how the dots cover the paper
+    double dots_for_tone = 0;            // that would give the picture's, of a fixed size; 0: they do
+    glm::dvec2 tile_corner{0, 0};        // on the page, see Density; Figure 8's is the page's own
     std::vector<PlacedTile> outlines;
     std::vector<DotBlock> blocks;      // dot_blocks(), where it goes to the screen
     ShownStrokes strokes;              // instead of the dots, where a pen draws them on the screen
     std::vector<glm::u8vec4> colours;  // one a dot; empty: all in ink, or their pens'
-    Palette pens;                      // several, for Dots::pen
-    glm::dvec2 page_size{1, 1};        // of the picture, page units
-    PageLayout layout;                 // of the whole page
-    Framing framing;                   // of the picture that was opened,
-    glm::ivec2 picture_pixels{1, 1};   // which has so many
-    PageWindow window;                 // dots and outlines are relative to its corner
-    glm::dvec2 tile_corner{0, 0};      // on the page, see Density; Figure 8's is the page's own
     double tone_ms = 0;                // density and its pyramid, 0 if they were still there
 
-    bool settled() const { return steps == all_steps; }
+    bool settled() const { return steps == plan.steps; }
     /// False before anything was placed, and where it could not be: there is neither a page nor a dot.
     bool is_there() const { return layout.page.mm_per_page_unit > 0; }
+
+    /// The part of the page that the dots are of; they and the outlines are relative to its corner.
+    const PageWindow& window() const { return plan.placing.window; }
+    /// Of all dots, or of the largest ones, in page units.
+    double dot_radius() const { return is_there() ? plan.largest_share() * plan.radius(scale) : 0; }
+    double dot_radius_mm() const { return dot_radius() * layout.page.mm_per_page_unit; }
+    /// That with which these dots would give the picture's tone.
+    double radius_for_tone_mm() const {
+        return plan.radius_for_its_tone(scale) * layout.page.mm_per_page_unit;
+    }
 };
 
 }  // namespace dapple

@@ -4,7 +4,6 @@
 #include <glm/common.hpp>
 #include <utility>
 
-#include "core/drawing/settings.h"
 #include "core/placing/dot_stream.h"
 #include "core/routing/short_way.h"
 
@@ -13,11 +12,10 @@ namespace {
 
 constexpr std::uint64_t kMostLines = 20'000'000;
 
-Dots in_order(Dots dots, const StrokeChoice& choice, LineWay way, const std::stop_token& stop) {
-    const DotOrder order = choice.order.value_or(DotOrder::shortest);
+Dots in_order(Dots dots, DrawingStyle style, DotOrder order, LineWay way, const std::stop_token& stop) {
     const bool by_way = order == DotOrder::space || order == DotOrder::shortest;
     if (by_way) sort_dots(dots, DotOrder::space);
-    const bool shortest = order == DotOrder::shortest && choice.style == DrawingStyle::line;
+    const bool shortest = order == DotOrder::shortest && style == DrawingStyle::line;
     if (shortest && way == LineWay::final) shorten_way(dots, {.stop = stop, .progress = {}});
     return dots;
 }
@@ -72,23 +70,22 @@ ShownStrokes on_screen(const StrokeStream& strokes, std::span<const Pen> pens, d
     return shown;
 }
 
-ShownStrokes shown_strokes(const DotPieces& dots, const StrokeChoice& choice, std::span<const Pen> pens,
-                           const PageSize& page, double dot_radius, LineWay way, std::stop_token stop) {
-    const double unit = page.mm_per_page_unit;
-    const bool touches = choice.style == DrawingStyle::dots && choice.mark.shape == DotShape::point;
-    const std::vector<double> widths =
-        stroke_widths(choice.pens, choice.pen_width_mm, pens, touches ? PenUse::touches : PenUse::lines);
-    if (choice.style == DrawingStyle::dots)
-        return on_screen(
-            marks_of(stream_of(dots), page, choice.mark, dot_radius * unit, choice.pen_width_mm, widths),
-            pens, unit);
+ShownStrokes shown_strokes(const DotPieces& dots, const DrawingSettings& settings,
+                           std::optional<DotOrder> order, std::span<const Pen> pens, const PageSize& page,
+                           double dot_radius, LineWay way, const std::stop_token& stop) {
+    const double unit = page.mm_per_page_unit, width = settings.pen_width_mm;
+    const DrawingStyle style = settings.style;
+    const std::vector<double> widths = stroke_widths(settings.pens, width, pens, pen_use(settings));
+    if (style == DrawingStyle::dots)
+        return on_screen(marks_of(stream_of(dots), page, settings.mark, dot_radius * unit, width, widths),
+                         pens, unit);
     Strokes lines;
     for (Dots& own : by_pen(dots)) {
-        const Dots ordered = in_order(std::move(own), choice, way, stop);
-        append(lines, choice.style == DrawingStyle::line ? line_through(ordered, page)
-                                                         : lines_to_nearest(ordered, page));
+        const Dots ordered = in_order(std::move(own), style, order.value_or(DotOrder::shortest), way, stop);
+        append(lines,
+               style == DrawingStyle::line ? line_through(ordered, page) : lines_to_nearest(ordered, page));
     }
-    StrokeStream stream = stream_of(lines, choice.pen_width_mm);
+    StrokeStream stream = stream_of(lines, width);
     stream.widths_mm = widths;
     return on_screen(stream, pens, unit);
 }

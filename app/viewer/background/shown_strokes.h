@@ -8,26 +8,13 @@
 #include <vector>
 
 #include "app/viewer/background/dot_blocks.h"
+#include "core/drawing/settings.h"
 #include "core/pens/pen.h"
 #include "core/placing/dot_order.h"
 #include "core/placing/page.h"
-#include "core/strokes/dot_shape.h"
-#include "core/strokes/drawing_style.h"
 #include "core/strokes/strokes.h"
 
 namespace dapple {
-
-/// How dots are drawn by a pen; circles are not.
-struct StrokeChoice {
-    DrawingStyle style = DrawingStyle::dots;
-    DotMark mark = {};
-    double pen_width_mm = 0.3;
-    std::optional<DotOrder> order = {};  // of one line through all dots; none: the shortest
-    PenChoice pens = {};                 // whose lines are as wide as stroke_widths() says
-
-    bool draws() const { return style != DrawingStyle::dots || mark.shape != DotShape::circle; }
-    bool operator==(const StrokeChoice&) const = default;
-};
 
 struct ShownStrokes {
     std::vector<glm::vec4> lines;  // from x, y to x, y in page units; a touch has no length
@@ -45,9 +32,11 @@ enum class LineWay {
 
 /// The same as in a file; a file's longest lines are told in millimetres, these in page units from the
 /// picture's corner. None where there would be more than 20 million: dots are then shown as circles. Stopped,
-/// it is what was reached. `pens` are the drawing's, if there are several.
-ShownStrokes shown_strokes(const DotPieces& dots, const StrokeChoice& choice, std::span<const Pen> pens,
-                           const PageSize& page, double dot_radius, LineWay way, std::stop_token stop = {});
+/// it is what was reached. `order` is that of one line through all dots, the shortest if there is none;
+/// `pens` are the drawing's, if there are several.
+ShownStrokes shown_strokes(const DotPieces& dots, const DrawingSettings& settings,
+                           std::optional<DotOrder> order, std::span<const Pen> pens, const PageSize& page,
+                           double dot_radius, LineWay way, const std::stop_token& stop = {});
 
 /// Strokes as they are, in millimetres from the picture's corner. None where there would be so many.
 ShownStrokes on_screen(const StrokeStream& strokes, std::span<const Pen> pens, double mm_per_page_unit);

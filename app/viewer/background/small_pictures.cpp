@@ -31,16 +31,15 @@ SmallPicture small_drawing(const SmallPicture& picture, DrawingSettings settings
     settings.relax = std::min(settings.relax.value_or(1), 1);
     Workbench bench;
     show_to(bench, picture);
-    const DrawingFile file{
-        .path = {}, .format = DrawingFormat::png, .settings = settings, .saving = {}, .embedded = {}};
+    const DrawingFile file{.format = DrawingFormat::png, .settings = settings};
     const auto placed = bench.pipeline().drawing(bench.plan(dots_request(settings)), stop);
     if (!placed) return {};
     DrawingToSave drawing = drawing_on(drawn_page(placed->layout()), *placed, file, stop);
     if (settings.style == DrawingStyle::line)
         drawing.dots = stream_of(
             std::make_shared<const DotPieces>(sorted_by_pen(drawing.dots, DotOrder::space)), placed->scale);
-    drawing.saving.dpi = dpi_for(drawing.page, longer_side);
-    return with_alpha(page_pixels(settings, drawing));
+    drawing.file.saving.dpi = dpi_for(drawing.page, longer_side);
+    return with_alpha(page_pixels(drawing));
 }
 
 void SmallPictures::take_made() {

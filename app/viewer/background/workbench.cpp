@@ -85,7 +85,8 @@ bool looks_like_environment(const Grid<float>& light) {
 }
 
 bool same_tile(const DotsRequest& a, const DotsRequest& b) {
-    return a.tile == b.tile && a.ranking == b.ranking && a.drawing.placer == b.drawing.placer;
+    const DrawingSettings &one = a.drawing, &other = b.drawing;
+    return one.tile == other.tile && one.ranking == other.ranking && one.placer == other.placer;
 }
 
 }  // namespace
@@ -97,13 +98,12 @@ DrawingPlan Workbench::plan(const DotsRequest& request) {
         else
             pipeline_.set_plain(plain_density(choice_));
     }
-    TileKey key{request.tile, request.ranking};
-    if (tile_key_ != key) {
-        tile_key_.reset();
-        pipeline_.set_tile(tile_named(request.tile, request.ranking));
-        tile_key_ = std::move(key);
+    DrawingSettings drawing = request.drawing;
+    if (std::pair named(drawing.tile, drawing.ranking); tile_ != named) {
+        tile_.reset();
+        pipeline_.set_tile(tile_named(drawing.tile, drawing.ranking));
+        tile_ = std::move(named);
     }
-    DrawingRequest drawing = request.drawing;
     if (needs_thresholds(request.colours)) drawing.placing.thresholds = true;
     if (request.close) drawing.mask = drawing.mask.without_finer();  // all dots are alike there
     return pipeline_.plan(drawing, request.most_dots);
@@ -151,32 +151,22 @@ bool Workbench::place(const DotsRequest& request, PlacedDrawing& drawing, std::s
     const Tile& tile = pipeline_.tile().tile();
     const auto finish = [&](PlacedDrawing& placed) {
         placed.request = request;
-        placed.tone = made.tone;
-        placed.usual_tone = made.usual_tone;
-        placed.all_steps = made.steps;
-        placed.usual_steps = made.usual_steps;
-        placed.histogram = made.histogram;
+        placed.plan = made;
+        placed.plan.density.reset();
+        placed.plan.by_pen = {};
         placed.tone_ms = pipeline_.tone_ms();
-        placed.page_size = glm::dvec2(page.width(), page.height()) / static_cast<double>(page.longer_side());
         placed.layout = made.layout(placed.scale);
-        placed.framing = pipeline_.framing();
-        placed.picture_pixels = pipeline_.pixels();
-        placed.window = request.close ? request.close->window : PageWindow{};
         placed.tile_corner = turns ? page.tile_corner() : glm::dvec2(0);
         placed.outlines.clear();
-        if (request.outlines)
+        if (request.drawing.show_tiles)
             placed.outlines = request.close ? placed_tiles(placer.table(), page, made.placing)
                                             : pipeline_.outlines(made, placed.scale);
         placed.ink = {.relaxing_steps = placed.steps, .level = level_of(placed.scale, tile.size())};
-        placed.dot_radius = made.largest_share() * made.radius(placed.scale);
-        const StrokeChoice& strokes = request.strokes;
-        const bool discs = strokes.style == DrawingStyle::dots && is_disc(strokes.mark.shape);
+        const bool discs = request.drawing.style == DrawingStyle::dots && is_disc(request.drawing.mark.shape);
         placed.dots_for_tone = made.size.sizing == DotSizing::fixed && discs ? made.dots_for_tone() : 0;
-        placed.radius_for_tone_mm =
-            made.radius_for_its_tone(placed.scale) * placed.layout.page.mm_per_page_unit;
         placed.colours = chosen_colours(
             placed.dots,
-            {tile.size(), turns ? tile.rule : Rule{}, placed.window, tile.next_kind, placed.tile_corner},
+            {tile.size(), turns ? tile.rule : Rule{}, placed.window(), tile.next_kind, placed.tile_corner},
             request.colours);
     };
     DrawingWatch watch{.stop = stop, .step = {}};
@@ -190,6 +180,7 @@ bool Workbench::place(const DotsRequest& request, PlacedDrawing& drawing, std::s
                                                 .place_ms = drawn.place_ms,
                                                 .relax_ms = drawn.relax_ms};
                 finish(now);
+                now.plan.pens.clear();  // which share the dots out at the end
                 return now;
             });
         };
@@ -198,7 +189,6 @@ bool Workbench::place(const DotsRequest& request, PlacedDrawing& drawing, std::s
                         : pipeline_.draw(made, drawing, watch)))
         return false;
     finish(drawing);
-    drawing.pens = made.pens;
     return true;
 }
 
@@ -231,16 +221,16 @@ DotsPlaced Workbench::ready_for_screen(const DotsRequest& request, PlacedDrawing
     drawing.blocks = dot_blocks(drawing.dots);
     drawing.strokes = {};
     // Looked at closely, there are more dots with every zoom: they are shown as such.
-    if (request.strokes.draws() && !request.close)
-        drawing.strokes = shown_strokes(drawing.dots, request.strokes, drawing.pens, drawing.layout.page,
-                                        drawing.dot_radius, way, stop);
+    if (draws_strokes(request.drawing) && !request.close)
+        drawing.strokes = shown_strokes(drawing.dots, request.drawing, request.line_order, drawing.plan.pens,
+                                        drawing.layout.page, drawing.dot_radius(), way, stop);
     // Large tiles first: see Renderer::set_tiles().
     std::ranges::stable_sort(drawing.outlines, {}, &PlacedTile::level);
     shrink_if_far_too_large(drawing);
     DotsPlaced placed;
     placed.drawing = std::move(drawing);
     if (!tile_published_ || !same_tile(*tile_published_, request)) {
-        placed.tile = view_of(request.tile, pipeline_.tile(), request.drawing.placer);
+        placed.tile = view_of(request.drawing.tile, pipeline_.tile(), request.drawing.placer);
         tile_published_ = request;
     }
     placed.picture = std::exchange(arrived_, std::nullopt);
@@ -272,7 +262,7 @@ std::optional<DotsPlaced> Workbench::place_for_screen(const DotsRequest& request
         }
         last_size_ = drawing.dots.size();
         // A line's way takes longer than its dots.
-        if (request.strokes.style == DrawingStyle::line && !request.close && !settled_only &&
+        if (request.drawing.style == DrawingStyle::line && !request.close && !settled_only &&
             last_size_ > kDotsRoutedSoon)
             task.publish(ready_for_screen(request, drawing, LineWay::soon, stop));
         DotsPlaced placed = ready_for_screen(request, std::move(drawing), LineWay::final, stop);
@@ -295,7 +285,7 @@ std::optional<DotsPlaced> Workbench::place_for_screen(const DotsRequest& request
 void Workbench::clear() {
     pipeline_ = {};
     choice_ = {};
-    tile_key_.reset();
+    tile_.reset();
     share_ = nullptr;
     arrived_.reset();
     last_size_ = 0;

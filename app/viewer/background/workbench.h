@@ -104,18 +104,12 @@ class Workbench {
     void clear();
 
  private:
-    struct TileKey {
-        std::string name;
-        std::optional<RankingMethod> ranking;
-        bool operator==(const TileKey&) const = default;
-    };
-
     DotsPlaced ready_for_screen(const DotsRequest& request, PlacedDrawing drawing, LineWay way,
                                 const std::stop_token& stop);
 
     Pipeline pipeline_;
     DensityChoice choice_;
-    std::optional<TileKey> tile_key_;
+    std::optional<std::pair<std::string, std::optional<RankingMethod>>> tile_;  // its name and ranking
     std::atomic<float>* share_ = nullptr;  // of the dots placed: see Placer::report_share()
 
     std::optional<OpenedPicture> arrived_;  // waits for its dots

@@ -28,13 +28,13 @@ bool have_same_desk(const SplitLook& a, const SplitLook& b) {
 
 void Canvas::set_drawing(Side side, const PlacedDrawing& drawing) {
     Renderer& renderer = renderers_[static_cast<int>(side)];
-    renderer.set_dots(drawing.dots, drawing.blocks, drawing.window);
+    renderer.set_dots(drawing.dots, drawing.blocks, drawing.window());
     renderer.set_ink(drawing.ink, kDotsPerScale * drawing.scale);
-    renderer.set_pens(drawing.pens);
+    renderer.set_pens(drawing.plan.pens);
     renderer.set_dot_colours(drawing.colours);
     renderer.set_strokes(drawing.strokes);
-    renderer.set_tiles(drawing.outlines, drawing.window);
-    if (side == Side::left) page_size_ = drawing.page_size;
+    renderer.set_tiles(drawing.outlines, drawing.window());
+    if (side == Side::left) page_size_ = drawing.plan.picture_size();
     drawn_camera_.reset();
 }
 

@@ -65,12 +65,12 @@ void draw_dot_card(const PlacedDrawing& shown, const PlacedWith& with, const Cam
     const float unit = ImGui::GetFontSize() / 15;
     const double pixels_per_point = place.pixels_per_point.x;
     const double reach =
-        std::max(kCardReach * unit * pixels_per_point / camera.pixels_per_unit, shown.dot_radius);
+        std::max(kCardReach * unit * pixels_per_point / camera.pixels_per_unit, shown.dot_radius());
     const PagePoint pointer = point_at(camera, glm::dvec2(in_canvas) * place.pixels_per_point);
     const auto dot = dot_under(shown, with, pointer, reach);
     if (!dot) return;
     const auto on_screen = [&](glm::dvec2 in_window) {
-        const PagePoint corner(shown.window.x, shown.window.y);
+        const PagePoint corner(shown.window().x, shown.window().y);
         const glm::dvec2 pixel = to_canvas(camera, corner + PagePoint(in_window * 0x1p62));
         // Far outside, floats and their rounding are of no use.
         const glm::dvec2 at = glm::clamp(pixel, glm::dvec2(-9), camera.canvas + 9.0) / place.pixels_per_point;
@@ -88,7 +88,7 @@ void draw_dot_card(const PlacedDrawing& shown, const PlacedWith& with, const Cam
         note_place("Lit tile", {{low.x, low.y}, {high.x, high.y}});
     }
     // Zoomed in far the ring is beyond all edges, and further in Dear ImGui cannot count its sides.
-    const double radius = shown.dot_radius * camera.pixels_per_unit / pixels_per_point;
+    const double radius = shown.dot_radius() * camera.pixels_per_unit / pixels_per_point;
     if (radius < double{place.size.x} + double{place.size.y})
         list->AddCircle(on_screen(dot->position), static_cast<float>(radius) + 3 * unit, light, 0, 2 * unit);
     draw_card_words(list, origin_in_words(*dot, with, shown.scale), place, unit);

@@ -77,7 +77,7 @@ bool MaskPainter::paint(Mask& mask, const MaskBrush& tool, const PlacedDrawing& 
     const ImGuiIO& io = ImGui::GetIO();
     const ImVec2 press = io.MouseClickedPos[ImGuiMouseButton_Left];
     const auto point = [&](ImVec2 screen) {
-        return opened_point(shown.framing, shown.picture_pixels, page_point_under(screen, camera, place));
+        return opened_point(shown.plan.framing, shown.plan.opened, page_point_under(screen, camera, place));
     };
     if (!tool.on || !ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
         // Where frames are slow, the last of the way and letting go may be in one.
@@ -91,7 +91,7 @@ bool MaskPainter::paint(Mask& mask, const MaskBrush& tool, const PlacedDrawing& 
     if (!stroke_) {
         if (!ImGui::IsMouseClicked(ImGuiMouseButton_Left) || io.WantCaptureMouse || !pointer_over(place))
             return false;
-        stroke_.emplace(mask, shown.picture_pixels, tool.brush);
+        stroke_.emplace(mask, shown.plan.opened, tool.brush);
         stroke_->go_to(point(press));
     } else if (io.MouseDelta.x == 0 && io.MouseDelta.y == 0) {
         return true;
@@ -110,16 +110,16 @@ void MaskPainter::draw(const Mask& mask, const MaskBrush& tool, const PlacedDraw
     if (!mask.empty()) {
         if (tinted_ != mask) tint_.write(tint_of(mask));
         tinted_ = mask;
-        const PictureView view = view_of(shown.framing, shown.picture_pixels);
+        const PictureView view = view_of(shown.plan.framing, shown.plan.opened);
         const glm::vec2 x = view.corner + view.across, y = view.corner + view.down, xy = x + view.down;
-        const glm::dvec2 size = shown.page_size;
+        const glm::dvec2 size = shown.plan.picture_size();
         list->AddImageQuad(texture_id(tint_.get()), screen_point(camera, place, {0, 0}),
                            screen_point(camera, place, {size.x, 0}), screen_point(camera, place, size),
                            screen_point(camera, place, {0, size.y}), {view.corner.x, view.corner.y},
                            {x.x, x.y}, {xy.x, xy.y}, {y.x, y.y});
     }
     if (stroke_ || (!ImGui::GetIO().WantCaptureMouse && pointer_over(place))) {
-        const double units = tool.brush.radius * page_units_per_unit(shown.framing, shown.picture_pixels);
+        const double units = tool.brush.radius * page_units_per_unit(shown.plan.framing, shown.plan.opened);
         const auto radius = static_cast<float>(units * camera.pixels_per_unit / place.pixels_per_point.x);
         const ImVec2 centre = ImGui::GetIO().MousePos;
         const float unit = ImGui::GetFontSize() / 15;

@@ -43,18 +43,18 @@ CanvasLook look_of(const ComparedPanes& compared, const Pane& pane, const Zoom& 
     look.desk = rgb_of(ThemeColour::surround);
     look.paper = drawing.paper;
     look.ink = drawing.ink;
-    look.dot_radius = pane.page().dot_radius;
+    look.dot_radius = pane.page().dot_radius();
     if (settings.density.source == DensitySource::photograph) look.picture_opacity = settings.picture_opacity;
     look.sheet = sheet_around(pane.page().layout);
     if (settings.density.source == DensitySource::photograph &&
-        pane.page().framing.pixels != Rectangle<int>{})
-        look.picture_view = view_of(pane.page().framing, pane.page().picture_pixels);
-    look.picture_gain = std::exp2(pane.page().tone.exposure - session.picture().exposure);
+        pane.page().plan.framing.pixels != Rectangle<int>{})
+        look.picture_view = view_of(pane.page().plan.framing, pane.page().plan.opened);
+    look.picture_gain = std::exp2(pane.page().plan.tone.exposure - session.picture().exposure);
     look.tiles = drawing.show_tiles;
     look.fade_scale = pane.fade_scale(zoom);
     if (look.fade_scale > 0) look.dot_radius /= zoom.enlargement;
     look.pixel_scale = pixel_scale;
-    look.hidden_pens = hidden_among(pane.shown().pens, session.shown_pens);
+    look.hidden_pens = hidden_among(pane.shown().plan.pens, session.shown_pens);
     if (compared.instead() == SeenInstead::photograph) {
         look.picture_opacity = 1;
         look.dots = false;

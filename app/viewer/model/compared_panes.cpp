@@ -14,9 +14,9 @@ namespace {
 PointsInView points_on_screen(const PlacedDrawing& shown, const Camera& camera) {
     const PageWindow view = window_in_view(camera, 0);
     // Relative to the dots' origin, which may lie deep within the page.
-    const PagePoint origin{shown.window.x, shown.window.y};
+    const PagePoint origin{shown.window().x, shown.window().y};
     const glm::dvec2 low = in_page_units(PagePoint{view.x, view.y} - origin);
-    const glm::dvec2 page_end = shown.page_size - in_page_units(origin);
+    const glm::dvec2 page_end = shown.plan.picture_size() - in_page_units(origin);
     const glm::dvec2 high = glm::min(low + glm::dvec2(view.width, view.height), page_end);
     return points_in_view(shown.dots, {low, high}, kMostAnalysed, shown.blocks);
 }
@@ -61,8 +61,8 @@ namespace {
 DotsRequest right_request(const Comparison& comparison, const PlacedDrawing& left) {
     DotsRequest right = *left.request;
     right.drawing.placer = comparison.placer;
-    right.tile = comparison.tile;
-    right.ranking = comparison.ranking;
+    right.drawing.tile = comparison.tile;
+    right.drawing.ranking = comparison.ranking;
     right.drawing.placing.count.reset();
     if (comparison.by == CompareBy::count)
         right.drawing.placing.count = std::max<std::uint64_t>(left.dots.size() - left.duplicates, 1);

@@ -102,8 +102,8 @@ std::vector<Dots> parts_of(const DotStream& dots, const PenCount& own, DotOrder 
 std::vector<DrawingFacts::OfPen> pens_of(const PlacedDrawing& drawing, const PageSize& page) {
     std::vector<DrawingFacts::OfPen> pens;
     const DotPieces by_pen = sorted_by_pen(stream_of(drawing.dots), DotOrder::recursion);
-    for (const PenFigures& own : pen_figures(by_pen, page, drawing.pens)) {
-        const Pen& pen = drawing.pens[static_cast<std::size_t>(own.pen)];
+    for (const PenFigures& own : pen_figures(by_pen, page, drawing.plan.pens)) {
+        const Pen& pen = drawing.plan.pens[static_cast<std::size_t>(own.pen)];
         pens.push_back({pen.name, own.dots, pen.gap_mm, own.nearer_than_gap});
     }
     return pens;
@@ -132,10 +132,10 @@ void add_time(PlottingTime& sum, const PlottingTime& time, double times, double 
 
 }  // namespace
 
-PlottingEstimate estimated_plotting(const DrawingSettings& settings, const DrawingToSave& drawing,
-                                    DrawingFormat format, DotOrder order, const MachineProgram& program) {
+PlottingEstimate estimated_plotting(const DrawingToSave& drawing, DotOrder order,
+                                    const MachineProgram& program) {
     PlottingEstimate estimate;
-    const InkedDot ink = inked_dot(settings, format, drawing);
+    const InkedDot ink = inked_dot(drawing);
     // What comes once, whatever is drawn, and the rest.
     MachineClock once(program);
     MachineProgram of_dots = program;
@@ -151,7 +151,7 @@ PlottingEstimate estimated_plotting(const DrawingSettings& settings, const Drawi
         const double share = static_cast<double>(own.dots) / std::max(static_cast<double>(taken), 1.0);
         // All dots of a pen are on one line.
         const double lifts =
-            settings.style == DrawingStyle::line ? 1 / static_cast<double>(parts.size()) : share;
+            drawing.file.settings.style == DrawingStyle::line ? 1 / static_cast<double>(parts.size()) : share;
         for (Dots& part : parts) {
             if (part.size() == 0) continue;
             const auto way_m = [&] { return share * way_length(part.x, part.y) * unit / 1000; };
@@ -161,7 +161,7 @@ PlottingEstimate estimated_plotting(const DrawingSettings& settings, const Drawi
             DrawingToSave some = drawing;
             some.dots = stream_of(part, drawing.dots.scale);
             PlottingTime time;
-            if (const auto strokes = strokes_of(settings, some, format)) {
+            if (const auto strokes = strokes_of(some)) {
                 const StrokeFigures figures = figures_of(*strokes, of_dots);
                 time = figures.time;
                 estimate.segments += share * static_cast<double>(figures.segments);
@@ -181,9 +181,8 @@ ExportInfo ExportEstimate::info(const Pane& pane, const ViewerSettings& settings
     if (key_ == key) return info_;
     key_ = key;
     const PlacedDrawing& drawing = pane.page();
-    const Stippling& stippling = drawing;
     PageSize page = drawing.layout.page;
-    info_ = {.dots = stippling.dots.size(), .bytes = {}, .trouble = {}};
+    info_ = {.dots = drawing.dots.size(), .bytes = {}, .trouble = {}};
     if (!drawing.is_there()) {
         info_.trouble = "There is no drawing to save";
         return info_;
@@ -194,7 +193,7 @@ ExportInfo ExportEstimate::info(const Pane& pane, const ViewerSettings& settings
         try {
             const Excerpt part = drawn_page(drawing.layout, settings.saving).part;
             region = part.part;
-            on_region = dots_on(part.part, stippling.dots);
+            on_region = dots_on(part.part, drawing.dots);
             page = part.size;
         } catch (const std::exception& error) {
             info_.trouble = error.what();
@@ -202,17 +201,18 @@ ExportInfo ExportEstimate::info(const Pane& pane, const ViewerSettings& settings
         }
         info_.dots = on_region.size();
     }
-    DrawingToSave estimated{.dots = stream_of(region ? on_region : stippling.dots, stippling.scale),
-                            .page = page,
-                            .pens = drawing.pens,
-                            .dot_radius_mm = drawing.dot_radius * page.mm_per_page_unit,
-                            .tile_size = pane.tile_size(),
-                            .saving = settings.saving};
+    DrawingToSave estimated{
+        .file = {.format = format, .settings = settings.drawing, .saving = settings.saving},
+        .dots = stream_of(region ? on_region : drawing.dots, drawing.scale),
+        .page = page,
+        .pens = drawing.plan.pens,
+        .dot_radius_mm = drawing.dot_radius_mm(),
+        .tile_size = pane.tile_size()};
     if (format == DrawingFormat::svg) estimated.tiles = drawing.outlines;
     if (region) move_to(*region, estimated.tiles);
     const DotOrder order =
         settings.saving.order.value_or(usual_order(format, info_.dots, settings.drawing.style));
-    DrawingFacts drawn = facts_of(settings.drawing, settings.saving, format, estimated);
+    DrawingFacts drawn = facts_of(estimated);
     if (region) drawn.whole_page = false;
     if (const Sheet& sheets = settings.drawing.sheets; is_several(sheets)) {
         drawn.whole_page = false;
@@ -220,9 +220,8 @@ ExportInfo ExportEstimate::info(const Pane& pane, const ViewerSettings& settings
         drawn.page.height_mm = page.height_mm / sheets.rows + sheets.overlap_mm;
     }
     if (drawn.machine) {
-        const GcodeProgram gcode = program_for(*drawn.machine, format, settings.drawing, estimated);
-        const PlottingEstimate plotting =
-            estimated_plotting(settings.drawing, estimated, format, order, gcode.program);
+        const GcodeProgram gcode = program_for(*drawn.machine, estimated);
+        const PlottingEstimate plotting = estimated_plotting(estimated, order, gcode.program);
         drawn.plotting = info_.plotting = plotting.time;
         drawn.gcode = gcode_facts(gcode, plotting.segments, plotting.time.drawing_s);
         info_.way_m = plotting.way_m;
@@ -230,12 +229,12 @@ ExportInfo ExportEstimate::info(const Pane& pane, const ViewerSettings& settings
     }
     if (settings.drawing.style == DrawingStyle::line)
         drawn.longest_link_mm = longest_line(drawing.strokes) * page.mm_per_page_unit;
-    if (drawing.dots_for_tone > 0) drawn.for_tone = {drawing.dots_for_tone, drawing.radius_for_tone_mm};
-    if (stippling.dots.size() <= kMostMeasured) drawn.measured = measured(pane, drawn.ink);
-    if (drawn.measured && !drawing.pens.empty()) drawn.pens = pens_of(drawing, page);
+    if (drawing.dots_for_tone > 0) drawn.for_tone = {drawing.dots_for_tone, drawing.radius_for_tone_mm()};
+    if (drawing.dots.size() <= kMostMeasured) drawn.measured = measured(pane, drawn.ink);
+    if (drawn.measured && !drawing.plan.pens.empty()) drawn.pens = pens_of(drawing, page);
     info_.findings = findings_of(drawn);
     try {
-        info_.bytes = estimated_bytes(format, settings.drawing, estimated);
+        info_.bytes = estimated_bytes(estimated);
     } catch (const std::exception& error) {
         info_.trouble = error.what();
     }
@@ -259,15 +258,15 @@ std::optional<PlottingTime> PlottingClock::time(const Pane& pane, const ViewerSe
     Key key{pane.placings(), settings.drawing, settings.saving};
     if (key_ == key) return time_;
     const DrawingFormat format = DrawingFormat::svg;
-    const PageSize& page = drawing.layout.page;
-    const DrawingToSave estimated{.dots = stream_of(drawing.dots, drawing.scale),
-                                  .page = page,
-                                  .pens = drawing.pens,
-                                  .dot_radius_mm = drawing.dot_radius * page.mm_per_page_unit};
+    const DrawingToSave estimated{.file = {.format = format, .settings = settings.drawing},
+                                  .dots = stream_of(drawing.dots, drawing.scale),
+                                  .page = drawing.layout.page,
+                                  .pens = drawing.plan.pens,
+                                  .dot_radius_mm = drawing.dot_radius_mm()};
     const DotOrder order =
         settings.saving.order.value_or(usual_order(format, drawing.dots.size(), settings.drawing.style));
     const Machine machine = settings.saving.machine.value_or(usual_machine(format, settings.saving.tool));
-    time_ = estimated_plotting(settings.drawing, estimated, format, order, program_of(machine)).time;
+    time_ = estimated_plotting(estimated, order, program_of(machine)).time;
     key_ = std::move(key);
     return time_;
 }

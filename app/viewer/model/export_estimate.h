@@ -26,8 +26,8 @@ struct PlottingEstimate {
 /// About how long a machine would plot such a file in that order. Some of the dots are put in order, and the
 /// rest is taken to be like them: dots that are near each other, as they follow in the stream; by priority,
 /// dots that lie anywhere.
-PlottingEstimate estimated_plotting(const DrawingSettings& settings, const DrawingToSave& drawing,
-                                    DrawingFormat format, DotOrder order, const MachineProgram& program);
+PlottingEstimate estimated_plotting(const DrawingToSave& drawing, DotOrder order,
+                                    const MachineProgram& program);
 
 /// What saving would write.
 struct ExportInfo {

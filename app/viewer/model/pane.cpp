@@ -31,7 +31,7 @@ std::optional<CloseView> Pane::close_view(const DotsRequest& page, const Zoom& z
     // Figure 8 places whole drawings only.
     if (page.drawing.placer != PlacerKind::exact) return {};
     // Relaxed dots are those of the page at any zoom.
-    const bool moved = page_.all_steps > 0;
+    const bool moved = page_.plan.steps > 0;
     if (!constant_density && (moved || zoom.camera.pixels_per_unit < kCloseZoom)) return {};
     // A drawing of exactly so many dots ends just on its scale; the last of them lies within the next.
     double scale = std::nextafter(static_cast<float>(page_.scale), INFINITY);

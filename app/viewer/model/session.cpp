@@ -481,7 +481,7 @@ void Session::say(const std::string& sentence) {
 }
 
 std::vector<fs::path> Session::files_to_save(const fs::path& path) const {
-    return files_of(path, settings.drawing.sheets, settings.saving, pane_.page().pens);
+    return files_of(path, settings.drawing.sheets, settings.saving, pane_.page().plan.pens);
 }
 
 void Session::take(DrawingSaved& event) {
@@ -493,9 +493,9 @@ void Session::take(DrawingSaved& event) {
     if (event.path != film_path_) {
         const auto& [drawing, saving] = saves_[event.path];
         const DrawingFormat format = drawing_format(event.path);
-        const bool by_pen = has_pen_files(format, saving, pane_.page().pens);
+        const bool by_pen = has_pen_files(format, saving, pane_.page().plan.pens);
         saved_path_ = event.path;
-        saved_files_ = files_of(event.path, drawing.sheets, saving, pane_.page().pens);
+        saved_files_ = files_of(event.path, drawing.sheets, saving, pane_.page().plan.pens);
         if (format == DrawingFormat::svg || format == DrawingFormat::png) know_safe(drawing);
         if (is_several(drawing.sheets))
             words =
@@ -527,11 +527,11 @@ DrawnInfo Session::drawn() const {
     const PlacedDrawing& drawing = pane_.page();
     return {.dots = drawing.dots.size() - drawing.duplicates,
             .scale = drawing.scale,
-            .dot_radius_mm = drawing.dot_radius * drawing.layout.page.mm_per_page_unit,
+            .dot_radius_mm = drawing.dot_radius_mm(),
             .most_dots = most_dots_,
-            .tone = drawing.tone,
-            .steps = drawing.all_steps,
-            .usual_steps = drawing.usual_steps,
+            .tone = drawing.plan.tone,
+            .steps = drawing.plan.steps,
+            .usual_steps = drawing.plan.usual_steps,
             .page = drawing.layout.page};
 }
 

@@ -58,7 +58,7 @@ void describe(Fields& fields, ViewerSettings& settings) {
 
 DotsRequest dots_request(const ViewerSettings& settings) {
     DotsRequest request = dots_request(settings.drawing, settings.density);
-    if (settings.drawing.style == DrawingStyle::line) request.strokes.order = settings.saving.order;
+    if (settings.drawing.style == DrawingStyle::line) request.line_order = settings.saving.order;
     request.colours.colouring = settings.colouring;
     request.colours.deepest_level = settings.deepest_level;
     // Another ink places nothing anew as long as all dots are drawn in it.

@@ -5,7 +5,7 @@
 #include "app/viewer/widgets/widgets.h"
 
 namespace dapple {
-bool draw_mask_panel(DrawingRequest& drawing, MaskBrush& tool) {
+bool draw_mask_panel(DrawingSettings& drawing, MaskBrush& tool) {
     if (!section("Mask")) {
         tool.on = false;  // what cannot be seen is not to paint
         return false;

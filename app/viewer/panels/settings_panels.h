@@ -148,6 +148,6 @@ bool draw_pen_panel(DrawingSettings& settings, LengthUnit unit = LengthUnit::mm,
 // The tool "Mask": the brush that paints where there are more dots, fewer or none, and where they are finer.
 
 /// The brush's rows, and a button that clears the drawing's mask. True when the mask changed.
-bool draw_mask_panel(DrawingRequest& drawing, MaskBrush& brush);
+bool draw_mask_panel(DrawingSettings& drawing, MaskBrush& brush);
 
 }  // namespace dapple

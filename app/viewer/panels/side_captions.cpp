@@ -36,7 +36,7 @@ void draw_caption(const ComparedPanes& compared, const Pane& pane, float left, f
     const bool is_saved = &pane == &compared.session().pane();
     const bool figure8 = request.drawing.placer == PlacerKind::figure8;
     push_title_font();
-    draw_line(fmt::format("{}{}{}", short_tile_name(request.tile), figure8 ? ", Figure 8" : "",
+    draw_line(fmt::format("{}{}{}", short_tile_name(request.drawing.tile), figure8 ? ", Figure 8" : "",
                           is_saved ? " - this side is saved" : ""),
               ThemeColour::text);
     pop_title_font();

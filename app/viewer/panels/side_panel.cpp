@@ -44,7 +44,7 @@ namespace {
 constexpr char kMethodTitle[] = "The method";
 
 std::vector<std::uint64_t> dots_by_pen(const PlacedDrawing& page) {
-    std::vector<std::uint64_t> dots(page.pens.size());
+    std::vector<std::uint64_t> dots(page.plan.pens.size());
     for (const Dots& piece : page.dots.pieces)
         if (static_cast<std::size_t>(piece.pen) < dots.size())
             dots[static_cast<std::size_t>(piece.pen)] += piece.size();
@@ -56,22 +56,22 @@ void draw_settings(Session& session, PaletteRow* palettes) {
     DrawingSettings& drawing = settings.drawing;
     const PlacedDrawing& page = session.pane().page();
     const DrawnInfo drawn = session.drawn();
-    const Histogram histogram = page.histogram ? *page.histogram : Histogram{};
+    const Histogram histogram = page.plan.histogram ? *page.plan.histogram : Histogram{};
     draw_dots_panel(drawing, drawn, settings.unit);
     draw_tone_panel(drawing, {.histogram = histogram,
-                              .drawn = page.tone,
+                              .drawn = page.plan.tone,
                               .usual_exposure = session.picture().exposure,
-                              .usual = page.usual_tone,
+                              .usual = page.plan.usual_tone,
                               .photograph = &settings.picture_opacity});
-    draw_pen_panel(drawing, settings.unit, {page.pens, dots_by_pen(page), &session.shown_pens},
-                   {palettes, &session.banner}, mostly_black(histogram, page.tone));
+    draw_pen_panel(drawing, settings.unit, {page.plan.pens, dots_by_pen(page), &session.shown_pens},
+                   {palettes, &session.banner}, mostly_black(histogram, page.plan.tone));
     draw_page_panel(drawing.page, drawing.sheets, page.layout, settings.unit);
 }
 
 void draw_crop(Session& session) {
     PageSetup& setup = session.settings.drawing.page;
     const PlacedDrawing& page = session.pane().page();
-    draw_crop_rows(setup, session.cropping, page.picture_pixels, session.room_for_crop());
+    draw_crop_rows(setup, session.cropping, page.plan.opened, session.room_for_crop());
 }
 
 void draw_method(Session& session, const std::function<void(Action)>& act) {

@@ -71,7 +71,7 @@ const std::vector<std::string> kPictures{kProjectEnding, ".svg", ".png",  ".jpg"
                                          ".heic",        ".dpx", ".fits", ".ico",  ".pic"};
 
 double crop_proportion(const Session& session) {
-    const glm::ivec2 picture = session.pane().page().picture_pixels;
+    const glm::ivec2 picture = session.pane().page().plan.opened;
     return percent_proportion(session.cropping.proportion,
                               crop_percent(session.settings.drawing.page.crop, picture), picture,
                               session.room_for_crop());
@@ -378,8 +378,8 @@ void DrawingDocument::draw(const Frame& frame) {
     const bool framing = session_.cropping.on && placed && !placed->drawing.page.crop &&
                          placed->drawing.page.fit == PageFit::inside;
     std::optional<Crop>& crop = session_.settings.drawing.page.crop;
-    const bool cropping = framing && crop_frame_.drag(crop, crop_proportion(session_), page.framing,
-                                                      page.picture_pixels, canvas_.camera(), place);
+    const bool cropping = framing && crop_frame_.drag(crop, crop_proportion(session_), page.plan.framing,
+                                                      page.plan.opened, canvas_.camera(), place);
     session_.remember(ImGui::IsAnyItemActive() || painting || cropping);
     session_.request_dots(zoom());
     compared_.request(zoom());
@@ -407,7 +407,7 @@ void DrawingDocument::draw(const Frame& frame) {
     if (panels && session_.placed_once())
         draw_status_line({0, place.size.y + player.y + captions.y}, status_size, info());
     mask_painter_.draw(mask, session_.brush, session_.pane().page(), canvas_.camera(), place);
-    if (framing) crop_frame_.draw(crop, page.framing, page.picture_pixels, canvas_.camera(), place);
+    if (framing) crop_frame_.draw(crop, page.plan.framing, page.plan.opened, canvas_.camera(), place);
     draw_margin_lines(seen.page().layout, canvas_.camera(), place);
     draw_sheet_lines(seen.page().layout, compared_.settings_of(seen).sheets, canvas_.camera(), place);
     draw_side_captions(compared_, {0, place.size.y + player.y}, captions);
@@ -531,7 +531,7 @@ StatusInfo DrawingDocument::info() const {
             .place_ms = stippling.place_ms,
             .relax_ms = pane.shown().relax_ms,
             .steps = pane.shown().steps,
-            .all_steps = pane.shown().all_steps,
+            .all_steps = pane.shown().plan.steps,
             .draw_ms = canvas_.draw_ms(),
             .placing_seconds = placing_seconds(),
             .placed_share = placed_share(),

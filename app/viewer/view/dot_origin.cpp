@@ -52,7 +52,7 @@ PlacedTile tile_around(PagePoint on_page, int level, const Rule& rule, const Pla
             compose(tile, rule.child[static_cast<std::size_t>(apply_to_quadrant(inverse(tile), quadrant))]);
     }
     const auto corner = [&](std::int64_t x) { return (x >> (kDigits - depth)) << (kDigits - depth); };
-    const PageWindow& window = drawing.window;
+    const PageWindow& window = drawing.window();
     return {.level = level,
             .x = std::ldexp(static_cast<double>(corner(at.x) + root.x - window.x), -kDigits),
             .y = std::ldexp(static_cast<double>(corner(at.y) + root.y - window.y), -kDigits),
@@ -74,7 +74,7 @@ std::optional<PlacedTile> tile_before_relaxing(const DotOrigin& dot, const Place
     if (rank >= born.size()) return std::nullopt;
     const int level = is_own ? dot.level : dot.level - 1;  // of the tiles that bring it
     const std::int64_t side = (std::int64_t{1} << 62) >> std::min(level, 62);
-    const PagePoint here = on_page(drawing.window, dot.position);
+    const PagePoint here = on_page(drawing.window(), dot.position);
     std::optional<PlacedTile> nearest;
     glm::dvec2 placed{0};
     for (int i = 0; i < 9; ++i) {
@@ -82,14 +82,14 @@ std::optional<PlacedTile> tile_before_relaxing(const DotOrigin& dot, const Place
         const PlacedTile tile = tile_around(at, level, with.rule, drawing);
         const glm::dvec2 place = glm::dvec2(tile.x, tile.y) +
                                  tile.side * (apply(tile.orientation, glm::dvec2(born[rank]) - 0.5) + 0.5);
-        const glm::dvec2 there = in_page_units({drawing.window.x, drawing.window.y}) + place;
+        const glm::dvec2 there = in_page_units({drawing.window().x, drawing.window().y}) + place;
         if (there.x < 0 || there.y < 0 || there.x >= 1 || there.y >= 1) continue;
         if (nearest && glm::distance(place, dot.position) >= glm::distance(placed, dot.position)) continue;
         nearest = tile;
         placed = place;
     }
     if (!nearest || is_own) return nearest;
-    return tile_around(on_page(drawing.window, placed), dot.level, with.rule, drawing);
+    return tile_around(on_page(drawing.window(), placed), dot.level, with.rule, drawing);
 }
 
 std::string ordinal(int n) {
@@ -121,7 +121,7 @@ std::string turn_in_words(Orientation orientation) {
 
 std::optional<DotOrigin> dot_under(const PlacedDrawing& drawing, const PlacedWith& with, PagePoint pointer,
                                    double reach) {
-    const glm::dvec2 at = way_between({drawing.window.x, drawing.window.y}, pointer);
+    const glm::dvec2 at = way_between({drawing.window().x, drawing.window().y}, pointer);
     const FoundDot found = nearest_dot(drawing, at, reach);
     if (!found.piece || found.piece->threshold.size() != found.piece->size() ||
         found.piece->critical.size() != found.piece->size())
@@ -143,7 +143,7 @@ std::optional<DotOrigin> dot_under(const PlacedDrawing& drawing, const PlacedWit
     }
     dot.tile = dot.relaxed
                    ? tile_before_relaxing(dot, with, drawing)
-                   : tile_around(on_page(drawing.window, dot.position), dot.level, with.rule, drawing);
+                   : tile_around(on_page(drawing.window(), dot.position), dot.level, with.rule, drawing);
     return dot;
 }
 

@@ -32,8 +32,8 @@ std::size_t count_around(const DotPieces& dots, glm::dvec2 centre, double side) 
 /// Dots per square page unit around a place.
 double density_around(const PlacedDrawing& shown, glm::dvec2 place) {
     const DotPieces& dots = shown.dots;
-    const double area =
-        std::min(shown.window.width, shown.page_size.x) * std::min(shown.window.height, shown.page_size.y);
+    const double area = std::min(shown.window().width, shown.plan.picture_size().x) *
+                        std::min(shown.window().height, shown.plan.picture_size().y);
     double density = static_cast<double>(dots.size()) / area;
     // The square for it depends on the density: twice is enough, unless there are hardly any dots.
     for (int round = 0; round < 2 && density > 0; ++round) {
@@ -67,9 +67,9 @@ double LoupeSquare::period() const {
 
 std::optional<LoupeSquare> loupe_square(const PlacedDrawing& shown, std::size_t tile_size, PagePoint place,
                                         int step) {
-    const PagePoint page = page_point(shown.page_size);
+    const PagePoint page = page_point(shown.plan.picture_size());
     if (place.x < 0 || place.y < 0 || place.x >= page.x || place.y >= page.y) return std::nullopt;
-    const PagePoint origin{shown.window.x, shown.window.y};
+    const PagePoint origin{shown.window().x, shown.window().y};
     const double density = density_around(shown, in_page_units(place - origin));
     if (!(density > 0)) return std::nullopt;
     LoupeSquare square;
@@ -77,7 +77,7 @@ std::optional<LoupeSquare> loupe_square(const PlacedDrawing& shown, std::size_t 
     const std::int64_t side = std::int64_t(1) << (62 - square.level);
 
     // What there are dots of: the window's part of the page.
-    const PagePoint size = page_point({shown.window.width, shown.window.height});
+    const PagePoint size = page_point({shown.window().width, shown.window().height});
     const PagePoint low = glm::max(origin, PagePoint(0)), high = glm::min(origin + size, page);
     const std::int64_t room =
         std::min((high.x / side) - (low.x + side - 1) / side, (high.y / side) - (low.y + side - 1) / side);
@@ -91,7 +91,7 @@ std::optional<LoupeSquare> loupe_square(const PlacedDrawing& shown, std::size_t 
 }
 
 Folding folded(const PlacedDrawing& shown, const LoupeSquare& square) {
-    const glm::dvec2 corner = in_page_units(square.corner - PagePoint{shown.window.x, shown.window.y});
+    const glm::dvec2 corner = in_page_units(square.corner - PagePoint{shown.window().x, shown.window().y});
     const double side = square.across * square.period();
     std::vector<glm::dvec2> points;
     for_each_position(shown.dots, [&](float x, float y) {

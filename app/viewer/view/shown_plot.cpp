@@ -28,7 +28,8 @@ void ShownPlot::prepare(std::uint64_t placing, const PlacedDrawing& page, const 
     }
     if (finding_.busy() || begun_ == asked_) return;
     begun_ = asked_;
-    finding_.begin([dots = page.dots, pens = page.pens, sheet = page.layout.page, radius = page.dot_radius,
+    finding_.begin([dots = page.dots, pens = page.plan.pens, sheet = page.layout.page,
+                    radius_mm = page.dot_radius_mm(),
                     what = *asked_](const auto& task) -> std::optional<Found> {
         const DotOrder order =
             what.order.value_or(usual_order(DrawingFormat::svg, dots.size(), what.settings.style));
@@ -42,9 +43,12 @@ void ShownPlot::prepare(std::uint64_t placing, const PlacedDrawing& page, const 
                     .pen_width_mm = what.settings.pen_width_mm,
                     .pen_widths_mm = stroke_widths(what.settings.pens, what.settings.pen_width_mm, pens,
                                                    pen_use(what.settings))};
-        const DrawingToSave drawing{
-            .dots = stream_of(sorted), .page = sheet, .pens = pens, .dot_radius_mm = radius * unit};
-        if (const auto strokes = strokes_of(what.settings, drawing, DrawingFormat::svg))
+        const DrawingToSave drawing{.file = {.settings = what.settings},
+                                    .dots = stream_of(sorted),
+                                    .page = sheet,
+                                    .pens = pens,
+                                    .dot_radius_mm = radius_mm};
+        if (const auto strokes = strokes_of(drawing))
             found.plot = plot_film(collected(*strokes), program);
         else
             found.plot = plot_film(sorted, unit, program);
@@ -54,11 +58,9 @@ void ShownPlot::prepare(std::uint64_t placing, const PlacedDrawing& page, const 
 
 PlacedDrawing ShownPlot::drawn(const PlacedDrawing& page, std::size_t count) const {
     PlacedDrawing now;
-    now.dot_radius = page.dot_radius;
-    now.page_size = page.page_size;
-    now.window = page.window;
+    now.plan = page.plan;
     if (!film_) return now;
-    now.pens = film_->pens;
+    now.plan.pens = film_->pens;
     const PlotFilm& plot = film_->plot;
     if (!plot.strokes.points.empty()) {
         const Strokes strokes = first_points(plot.strokes, count);

@@ -56,12 +56,14 @@ TEST_CASE("the command, which places piece by piece, writes the bytes that the w
             REQUIRE(run_dapple("render " + scene("cat.png") + " -o " + scene("command" + ending) +
                                " --margin 0 " + asked.options)
                         .status == 0);
-            CHECK(save_drawing(scene("window" + ending), settings,
-                               {.dots = stream_of(drawn.dots, drawn.scale),
+            CHECK(save_drawing({.file = {.path = scene("window" + ending),
+                                         .format = drawing_format("window" + ending),
+                                         .settings = settings,
+                                         .embedded = settings_inside(scene("command" + ending)).value_or("")},
+                                .dots = stream_of(drawn.dots, drawn.scale),
                                 .page = plan.page,
                                 .dot_radius_mm = plan.radius(drawn.scale) * plan.page.mm_per_page_unit,
-                                .tile_size = pipeline.tile().tile().size(),
-                                .settings = settings_inside(scene("command" + ending)).value_or("")}));
+                                .tile_size = pipeline.tile().tile().size()}));
             CHECK(text_of(scene("window" + ending)) == text_of(scene("command" + ending)));
         }
     }

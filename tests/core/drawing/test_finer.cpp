@@ -47,10 +47,8 @@ struct Halves {
     Half left, right;  // off the page's edges and the line between them
 };
 
-Halves drawn_halves(Pipeline& pipeline, const DrawingRequest& request) {
-    DrawingSettings settings;
-    static_cast<DrawingRequest&>(settings) = request;
-    const DrawingPlan plan = pipeline.plan(request);
+Halves drawn_halves(Pipeline& pipeline, const DrawingSettings& settings) {
+    const DrawingPlan plan = pipeline.plan(settings);
     Stippling drawn;
     REQUIRE(pipeline.draw(plan, drawn));
     const Grid<glm::u8vec3> pixels = drawn_pixels(settings, plan, drawn, 1600);
@@ -100,12 +98,12 @@ TEST_CASE("so many times as many dots of as much less area keep the tone, as pla
             CAPTURE(times);
             for (const int steps : {0, 8}) {
                 CAPTURE(steps);
-                DrawingRequest request{.automatic_tone = false,
-                                       .mask = half_finer(static_cast<std::uint8_t>(fineness)),
-                                       .placing = {.count = 12'000},
-                                       .relax = steps,
-                                       .dot_size = way.size,
-                                       .pens = way.pens};
+                DrawingSettings request{.automatic_tone = false,
+                                        .mask = half_finer(static_cast<std::uint8_t>(fineness)),
+                                        .placing = {.count = 12'000},
+                                        .relax = steps,
+                                        .dot_size = way.size,
+                                        .pens = way.pens};
                 const Halves halves = drawn_halves(pipeline, request);
                 if (way.size.sizing != DotSizing::by_tone) CHECK(halves.dots == 12'000);
                 CHECK(halves.right.dots / halves.left.dots == doctest::Approx(times).epsilon(0.02));
@@ -130,11 +128,11 @@ TEST_CASE("a part of a page, in any number of threads, has the finer dots of the
     for (const DotSize& size : {DotSize{}, kByTone}) {
         for (const int steps : {0, 6}) {
             CAPTURE(steps);
-            DrawingRequest request{.mask = half_finer(200),
-                                   .placing = {.count = 4000, .threads = 1},
-                                   .relax = steps,
-                                   .dot_size = size,
-                                   .page = turned};
+            DrawingSettings request{.mask = half_finer(200),
+                                    .placing = {.count = 4000, .threads = 1},
+                                    .relax = steps,
+                                    .dot_size = size,
+                                    .page = turned};
             const DrawingPlan plan = pipeline.plan(request);
             const Dots whole = all_of(pipeline.stream(plan));
             REQUIRE(whole.radius.size() == whole.size());
@@ -156,7 +154,7 @@ TEST_CASE("dots are finer where the mask is, wherever crop and turns put it") {
     // The picture's right half is the upper one once it is turned by three quarters; of that, the crop leaves
     // a quarter of the height.
     Pipeline pipeline = pipeline_of(Grid<float>(kWidth, kHeight, 0.5f));
-    DrawingRequest request{.mask = half_finer(255), .placing = {.count = 3000}, .relax = 0};
+    DrawingSettings request{.mask = half_finer(255), .placing = {.count = 3000}, .relax = 0};
     request.page.crop = parse_crop("25%,0,33.334%x100%");
     request.page.quarter_turns = 3;
     Stippling drawn;
@@ -174,13 +172,13 @@ TEST_CASE("dots are finer where the mask is, wherever crop and turns put it") {
 
 TEST_CASE("lines, and dots as wide as their pen, are drawn as if nothing was finer") {
     Pipeline pipeline = pipeline_of(Grid<float>(kWidth, kHeight, 0.5f));
-    const DrawingRequest plain{.placing = {.count = 500}, .relax = 0};
-    std::vector<DrawingRequest> requests(4, plain);
+    const DrawingSettings plain{.placing = {.count = 500}, .relax = 0};
+    std::vector<DrawingSettings> requests(4, plain);
     requests[0].style = DrawingStyle::line;
     requests[1].style = DrawingStyle::nearest;
     requests[2].mark = {DotShape::point};
     requests[3].pens = {.set = PenSet::cmyk, .width_mm = 0.4};
-    for (DrawingRequest& request : requests) {
+    for (DrawingSettings& request : requests) {
         CHECK_FALSE(can_be_finer(request));
         const Dots before = all_of(pipeline.stream(pipeline.plan(request)));
         request.mask = half_finer(255);
@@ -197,7 +195,7 @@ TEST_CASE("lines, and dots as wide as their pen, are drawn as if nothing was fin
 
 TEST_CASE("where all of a picture is finer, the radius that is told and the usual margin are its dots'") {
     Pipeline pipeline = pipeline_of(Grid<float>(kWidth, kHeight, 0.5f));
-    DrawingRequest request{.placing = {.count = 2000}, .relax = 0};
+    DrawingSettings request{.placing = {.count = 2000}, .relax = 0};
     request.mask = Mask(Grid<std::uint8_t>(kWidth, kHeight, kNeutralLevel),
                         Grid<std::uint8_t>(kWidth, kHeight, std::uint8_t{255}));
     for (const DotSize& size : {DotSize(), DotSize{.sizing = DotSizing::fixed, .radius_mm = 0.6}, kByTone}) {

@@ -83,8 +83,12 @@ TEST_CASE("automatic tone is the one for the picture, and an explicit one is tak
     CHECK(chosen.black_point > 0.25f);
     CHECK(chosen != own);
     const auto tone_drawn = [&](bool automatic) {
-        Tone tone =
-            pipeline.plan({.automatic_tone = automatic, .tone = own, .placing = {.count = 1000}}).tone;
+        Tone tone = pipeline
+                        .plan({.automatic_tone = automatic,
+                               .tone_strength = 1,
+                               .tone = own,
+                               .placing = {.count = 1000}})
+                        .tone;
         CHECK(tone.black == (automatic ? usual_black(1000) : 1));
         tone.black.reset();
         return tone;
@@ -99,14 +103,15 @@ TEST_CASE("automatic tone is the one for the picture, and an explicit one is tak
 TEST_CASE(
     "black is as solid as was asked, or as the number of dots allows; sizes by tone and lines decide it") {
     Pipeline pipeline = pipeline_of(ramp());
-    const auto black = [&](const DrawingRequest& request) {
-        const DrawingPlan plan = pipeline.plan(request);
+    const auto black = [&](const DrawingSettings& settings) {
+        const DrawingPlan plan = pipeline.plan(settings);
         return *plan.tone.black;
     };
-    for (const std::uint64_t few : {500, 5'000}) CHECK(black({.placing = {.count = few}}) == 0.9);
-    CHECK(black({.placing = {.count = 20'000}}) == 0.95);
-    CHECK(black({.placing = {.count = 44'721}}) == 0.97);
-    CHECK(black({.placing = {.count = 100'000}}) == 1);
+    for (const std::uint64_t few : {500, 5'000})
+        CHECK(black({.tone_strength = 1, .placing = {.count = few}}) == 0.9);
+    CHECK(black({.tone_strength = 1, .placing = {.count = 20'000}}) == 0.95);
+    CHECK(black({.tone_strength = 1, .placing = {.count = 44'721}}) == 0.97);
+    CHECK(black({.tone_strength = 1, .placing = {.count = 100'000}}) == 1);
     CHECK(black({.automatic_tone = false, .placing = {.count = 5'000}}) == 1);
     CHECK(black({.tone_strength = 0.5, .placing = {.count = 5'000}}) == doctest::Approx(0.95));
     CHECK(black({.tone_strength = 0, .placing = {.count = 5'000}}) == 1);
@@ -170,7 +175,7 @@ TEST_CASE(
     ColourGrid colours(90, 60);
     for (glm::u16vec3& colour : colours.values) colour = packed({0.4f, 0.3f, 0.2f});
     const auto gamma_with = [&](const char* pens) {
-        return pipeline.plan({.automatic_tone = true, .placing = {.count = 1000}, .pens = parse_pens(pens)})
+        return pipeline.plan({.tone_strength = 1, .placing = {.count = 1000}, .pens = parse_pens(pens)})
             .tone.gamma;
     };
     const float grey = auto_tone(histogram_of(dull()), {}).gamma;
@@ -227,7 +232,7 @@ TEST_CASE("steps are those asked for, or the usual ones, and Figure 8's dots sta
 TEST_CASE(
     "a stream gives the drawing dot for dot, by count, by scale, relaxed or not, with sizes or without") {
     Pipeline pipeline = pipeline_of(ramp());
-    std::vector<DrawingRequest> requests;
+    std::vector<DrawingSettings> requests;
     for (const int relax : {0, 2}) {
         requests.push_back({.placing = {.count = 4000, .thresholds = true}, .relax = relax});
         requests.push_back({.placing = {.scale = 500, .count = {}, .threads = 2}, .relax = relax});
@@ -235,7 +240,7 @@ TEST_CASE(
     }
     requests.push_back({.placer = PlacerKind::figure8, .placing = {.scale = 300, .count = {}}});
     requests.push_back({.placer = PlacerKind::figure8, .placing = {.count = {}}, .dot_size = kByTone});
-    for (const DrawingRequest& request : requests) {
+    for (const DrawingSettings& request : requests) {
         const DrawingPlan plan = pipeline.plan(request);
         Stippling drawn;
         REQUIRE(pipeline.draw(plan, drawn));
@@ -264,7 +269,7 @@ TEST_CASE(
     "dots with sizes by tone settle by their ink, on any number of threads, in a stream as in a drawing") {
     Pipeline pipeline = pipeline_of(ramp());
     const auto request = [](int threads) {
-        return DrawingRequest{.placing = {.count = {}, .threads = threads}, .relax = 6, .dot_size = kByTone};
+        return DrawingSettings{.placing = {.count = {}, .threads = threads}, .relax = 6, .dot_size = kByTone};
     };
     const DrawingPlan plan = pipeline.plan(request(1));
     const Dots dots = drawn_by(pipeline, plan);
@@ -285,7 +290,7 @@ TEST_CASE("what a scale came to is known when it is asked for again, and no long
     for (int y = 0; y < mirrored.height; ++y) std::reverse(mirrored.row(y), mirrored.row(y) + mirrored.width);
     Grid<std::uint8_t> right_half(80, 40, kNeutralLevel);
     for (int y = 0; y < 40; ++y) std::fill_n(right_half.row(y), 40, std::uint8_t{0});
-    const DrawingRequest request{
+    const DrawingSettings request{
         .automatic_tone = false, .mask = Mask(right_half), .placing = {.scale = 20'000, .count = {}}};
     Pipeline pipeline = pipeline_of(ramp());
     const DrawingPlan first = pipeline.plan(request), again = pipeline.plan(request);
@@ -302,7 +307,7 @@ TEST_CASE("what a scale came to is known when it is asked for again, and no long
 
 TEST_CASE("what a change has no say in is not made again") {
     Pipeline pipeline = pipeline_of(dull());
-    DrawingRequest request{.placing = {.count = 4000}, .relax = 5};
+    DrawingSettings request{.placing = {.count = 4000}, .relax = 5};
     const auto density = [&] { return pipeline.plan(request).density; };
     auto last = density();
     const auto stays = [&] { return density() == last; };
@@ -412,8 +417,8 @@ TEST_CASE("how many dots there are follows from their sizes") {
 
 TEST_CASE("a plan says how large its dots are") {
     Pipeline pipeline = pipeline_of(ramp());
-    const DrawingRequest request{.placing = {.count = 5000}, .relax = 4, .page = {.width_mm = 160}};
-    DrawingRequest fixed = request, by_tone = request;
+    const DrawingSettings request{.placing = {.count = 5000}, .relax = 4, .page = {.width_mm = 160}};
+    DrawingSettings fixed = request, by_tone = request;
     fixed.dot_size = {.sizing = DotSizing::fixed, .radius_mm = 0.8};
     by_tone.dot_size = kByTone;
     // On a page of 160 x 80 mm, whose usual margins leave the picture that much less of its height.
@@ -426,8 +431,8 @@ TEST_CASE("a plan says how large its dots are") {
 }
 
 TEST_CASE("a stream outlives the pipeline") {
-    for (const DrawingRequest& request :
-         {DrawingRequest{.placing = {.count = 2000}, .relax = 0},
+    for (const DrawingSettings& request :
+         {DrawingSettings{.placing = {.count = 2000}, .relax = 0},
           {.placing = {.count = 2000}, .relax = 2},
           {.relax = 1, .dot_size = kByTone},
           {.placer = PlacerKind::figure8, .placing = {.scale = 200, .count = {}}}}) {
@@ -444,7 +449,7 @@ TEST_CASE("a stream outlives the pipeline") {
 TEST_CASE("more dots than there may be are lowered to the most") {
     Pipeline pipeline = pipeline_of(ramp());
     constexpr std::uint64_t few = 5000;
-    DrawingRequest request{.placing = {.count = 3000}, .relax = 3};
+    DrawingSettings request{.placing = {.count = 3000}, .relax = 3};
     CHECK_FALSE(pipeline.plan(request, few).lowered);
     request.placing.count = 5001;
     DrawingPlan plan = pipeline.plan(request, few);
@@ -470,7 +475,7 @@ TEST_CASE("more dots than there may be are lowered to the most") {
 TEST_CASE("whoever watches sees every step but the last, with its dots") {
     Pipeline pipeline = pipeline_of(ramp());
     for (const bool sized : {false, true}) {
-        DrawingRequest request{
+        DrawingSettings request{
             .placing = {.count = 1500}, .relax = 4, .dot_size = sized ? kByTone : DotSize{}};
         const DrawingPlan plan = pipeline.plan(request);
         std::vector<int> seen;

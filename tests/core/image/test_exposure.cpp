@@ -98,7 +98,7 @@ TEST_CASE("a histogram is that of the light as exposed") {
 
 TEST_CASE("a drawing is the one of light that is as much lighter, with detail and automatic tone too") {
     const Grid<float> light = stops_between(-6, 0), bright = times(light, 16);
-    const auto plan_of = [](const Grid<float>& given, float usual, const DrawingRequest& request) {
+    const auto plan_of = [](const Grid<float>& given, float usual, const DrawingSettings& request) {
         Pipeline pipeline;
         pipeline.set_tile(RankedTile(make_tile(14217, 2895, 16), RankingMethod::energy));
         pipeline.set_light(given, usual);
@@ -107,10 +107,10 @@ TEST_CASE("a drawing is the one of light that is as much lighter, with detail an
     for (const bool automatic_tone : {false, true}) {
         CAPTURE(automatic_tone);
         const auto request = [&](float stops) {
-            return DrawingRequest{.automatic_tone = automatic_tone,
-                                  .automatic_exposure = false,
-                                  .tone = {.exposure = stops, .detail = 0.5f},
-                                  .placing = {.count = 1000}};
+            return DrawingSettings{.automatic_tone = automatic_tone,
+                                   .automatic_exposure = false,
+                                   .tone = {.exposure = stops, .detail = 0.5f},
+                                   .placing = {.count = 1000}};
         };
         const DrawingPlan plain = plan_of(light, 0, request(0)), down = plan_of(bright, 0, request(-4));
         CHECK(down.density->values().values == plain.density->values().values);
@@ -118,7 +118,7 @@ TEST_CASE("a drawing is the one of light that is as much lighter, with detail an
         CHECK(plan_of(bright, 0, request(0)).density->values().values != plain.density->values().values);
 
         // The usual one, unless told otherwise.
-        DrawingRequest usual = request(0);
+        DrawingSettings usual = request(0);
         usual.automatic_exposure = true;
         const DrawingPlan chosen = plan_of(bright, -4, usual);
         CHECK(chosen.tone.exposure == -4);
@@ -131,7 +131,7 @@ TEST_CASE("exposure that changes makes the density and the histogram anew") {
     Pipeline pipeline;
     pipeline.set_tile(RankedTile(make_tile(14217, 2895, 16), RankingMethod::energy));
     pipeline.set_light(stops_between(-6, 0));
-    DrawingRequest request{.automatic_tone = false, .automatic_exposure = false, .placing = {.count = 1000}};
+    DrawingSettings request{.automatic_tone = false, .automatic_exposure = false, .placing = {.count = 1000}};
     const DrawingPlan first = pipeline.plan(request);
     request.tone.exposure = 1;
     const DrawingPlan lighter = pipeline.plan(request);

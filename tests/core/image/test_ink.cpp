@@ -49,10 +49,10 @@ struct Measured {
 Measured measured(float light, std::uint64_t count, int steps, bool by_tone, double dpmm = 1.5,
                   double black = 1) {
     Pipeline& pipeline = pipeline_of(light);
-    DrawingRequest request{.automatic_tone = false,
-                           .tone = {.black = black},
-                           .placing = {.count = count, .threads = 0},
-                           .relax = steps};
+    DrawingSettings request{.automatic_tone = false,
+                            .tone = {.black = black},
+                            .placing = {.count = count, .threads = 0},
+                            .relax = steps};
     request.page.width_mm = kWidthMm;
     if (by_tone) {
         // About so many on black.

@@ -168,7 +168,7 @@ TEST_CASE("no dots are placed under black, all asked for lie elsewhere, and the 
     Pipeline pipeline;
     pipeline.set_tile(RankedTile(make_tile(14217, 2895, 16), RankingMethod::energy));
     pipeline.set_light(Grid<float>(64, 64, 0.5f));
-    DrawingRequest request{.placing = {.count = 2000}, .relax = 0};
+    DrawingSettings request{.placing = {.count = 2000}, .relax = 0};
     const auto dots_of = [&] {
         Stippling drawn;
         REQUIRE(pipeline.draw(pipeline.plan(request), drawn));

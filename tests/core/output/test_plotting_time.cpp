@@ -120,15 +120,19 @@ struct Times {
     double told = 0, taken = 0;
 };
 
-Times times_of(const DrawingSettings& settings, const DrawingToSave& drawing) {
-    const auto strokes = strokes_of(settings, drawing, DrawingFormat::gcode);
-    const MachineProgram program =
-        program_for(Machine::grbl_pen, DrawingFormat::gcode, settings, drawing).program;
+DrawingFile gcode_file(const DrawingSettings& settings, const SavingChoice& saving) {
+    return {.format = DrawingFormat::gcode, .settings = settings, .saving = saving};
+}
+
+Times times_of(const DrawingToSave& drawing) {
+    const auto strokes = strokes_of(drawing);
+    const MachineProgram program = program_for(Machine::grbl_pen, drawing).program;
     const PlottingTime told = strokes ? figures_of(*strokes, program).time
                                       : plotting_time(drawing.dots, drawing.page.mm_per_page_unit, program);
     std::ostringstream written;
-    write_as(DrawingFormat::gcode, written, ink_page(settings, drawing, DrawingFormat::gcode));
-    SteppedMachine machine(drawing.saving.feed_mm_per_min, drawing.saving.acceleration_mm_per_s2);
+    write_as(DrawingFormat::gcode, written, ink_page(drawing));
+    const SavingChoice& saving = drawing.file.saving;
+    SteppedMachine machine(saving.feed_mm_per_min, saving.acceleration_mm_per_s2);
     return {told.total_s(), machine.seconds_for(written.str())};
 }
 
@@ -165,9 +169,10 @@ TEST_CASE("the time told for G-code is what a machine takes that goes through th
         CAPTURE(machine.name);
         for (const auto& drawn : drawings) {
             CAPTURE(drawn.first);
-            const DrawingToSave drawing{
-                .dots = stream_of(dots), .page = page, .dot_radius_mm = 1.5, .saving = machine.saving};
-            const Times times = times_of(drawn.second, drawing);
+            const Times times = times_of({.file = gcode_file(drawn.second, machine.saving),
+                                          .dots = stream_of(dots),
+                                          .page = page,
+                                          .dot_radius_mm = 1.5});
             CHECK(times.told == doctest::Approx(times.taken).epsilon(0.01));
         }
     }
@@ -181,14 +186,15 @@ TEST_CASE("the time told for sheets and for several pens with their crosses is w
     settings.registration = true;
     for (const Tried& machine : tried_machines()) {
         CAPTURE(machine.name);
-        DrawingToSave drawing{.dots = {}, .page = page, .pens = pens, .saving = machine.saving};
+        DrawingToSave drawing{
+            .file = gcode_file(settings, machine.saving), .dots = {}, .page = page, .pens = pens};
         drawing.strokes = stream_of(sheet.strokes, 0.3);
-        const Times whole = times_of(settings, drawing);
+        const Times whole = times_of(drawing);
         CHECK(whole.told == doctest::Approx(whole.taken).epsilon(0.01));
         const Strokes part = cut_to({{70, 0}, {140, 150}}, stream_of(sheet.strokes, 0.3));
         drawing.strokes = stream_of(part, 0.3);
         drawing.page = {70, 150, 210};
-        const Times of_sheet = times_of(settings, drawing);
+        const Times of_sheet = times_of(drawing);
         CHECK(of_sheet.told == doctest::Approx(of_sheet.taken).epsilon(0.01));
         CHECK(of_sheet.told < whole.told);
     }
@@ -197,10 +203,11 @@ TEST_CASE("the time told for sheets and for several pens with their crosses is w
 TEST_CASE("the time told for a template of one's own is what its words take") {
     const Dots dots = scattered_dots(40);
     const auto times = [&](const std::string& text) {
-        DrawingToSave drawing{.dots = stream_of(dots), .page = {60, 60, 60}, .dot_radius_mm = 0.5};
-        drawing.saving.gcode_template.text = text;
-        drawing.saving.acceleration_mm_per_s2 = 200;
-        return times_of({}, drawing);
+        DrawingToSave drawing{
+            .file = gcode_file({}, {}), .dots = stream_of(dots), .page = {60, 60, 60}, .dot_radius_mm = 0.5};
+        drawing.file.saving.gcode_template.text = text;
+        drawing.file.saving.acceleration_mm_per_s2 = 200;
+        return times_of(drawing);
     };
     for (const char* const text :
          {"move G1 X{x} Y{y}\ndot M3 S90\ndot G4 P5\ndot M5\n",
@@ -223,8 +230,8 @@ TEST_CASE("what a template leaves out or another machine reads otherwise is told
             saving.tool = text == "servo" ? GcodeTool::servo : GcodeTool::laser;
         else
             saving.gcode_template.text = text;
-        const DrawingToSave drawing{.dots = {}, .page = {60, 60, 60}, .saving = saving};
-        const GcodeProgram gcode = program_for(Machine::grbl_pen, DrawingFormat::gcode, {}, drawing);
+        const GcodeProgram gcode = program_for(
+            Machine::grbl_pen, {.file = gcode_file({}, saving), .dots = {}, .page = {60, 60, 60}});
         std::vector<FindingKind> found;
         for (const Finding& finding :
              findings_of({.dots = 9, .gcode = gcode_facts(gcode, segments, drawing_s)}))

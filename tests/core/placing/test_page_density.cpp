@@ -58,7 +58,7 @@ TEST_CASE("dots as placed neither keep off a picture's edges nor stand in rows a
         std::array<double, kBands> mean{};
         const auto counts = {30000u, 40000u, 55000u, 80000u};
         for (const std::uint64_t count : counts) {
-            DrawingRequest request;
+            DrawingSettings request;
             request.placing.count = count;
             request.relax = 0;
             Stippling drawn;

@@ -37,8 +37,13 @@ Dots many_dots() {
 constexpr PageSize kPage{.width_mm = 10, .height_mm = 100, .mm_per_page_unit = 100};
 
 // As they come: another order would have to be found first.
-DrawingToSave many_to_save(const Dots& dots) {
-    return {.dots = stream_of(dots, 100), .page = kPage, .saving = {.order = DotOrder::recursion}};
+DrawingToSave many_to_save(const Dots& dots, const fs::path& path, DrawingFormat format) {
+    return {.file = {.path = path, .format = format, .saving = {.order = DotOrder::recursion}},
+            .dots = stream_of(dots, 100),
+            .page = kPage};
+}
+DrawingToSave many_to_save(const Dots& dots, const fs::path& path) {
+    return many_to_save(dots, path, drawing_format(path));
 }
 
 }  // namespace
@@ -56,12 +61,11 @@ TEST_CASE("no number leaves for a machine that is none, or lies far from the pag
         dots.radius = {0.01f, radius};
         dots.threshold = {0.5f, 0.5f};
         dots.critical = {1, 1};
-        DrawingToSave drawing = many_to_save(dots);
-        drawing.format = format;
+        DrawingToSave drawing = many_to_save(dots, file, format);
         Strokes strokes{.points = {{1, 1}, {100.0 * x, 100.0 * y}}, .ends = {2}};
         if (as_stroke) drawing.strokes = stream_of(strokes, 0.3);
         try {
-            return save_drawing(file, {}, drawing);
+            return save_drawing(drawing);
         } catch (const std::runtime_error& error) {
             CHECK(std::string(error.what()).find("far from its page") != std::string::npos);
             CHECK(text_of(file) == "the old drawing");
@@ -121,27 +125,26 @@ TEST_CASE("whatever becomes of a file while it is written, every format says so 
                 CAPTURE(std::string(format.word));
                 CAPTURE(several_pens);
                 CAPTURE(as_strokes);
-                DrawingToSave drawing = many_to_save(dots);
+                DrawingToSave drawing = many_to_save(dots, {}, format.format);
                 drawing.dots = stream_of(two, 100);
-                drawing.format = format.format;
                 drawing.dot_radius_mm = 0.3;
-                drawing.saving.dpi = 100;
+                drawing.file.saving.dpi = 100;
                 if (several_pens) drawing.pens = parse_pens("A:#000:0.3,B:#f00:0.5").own;
                 if (!several_pens) drawing.dots = stream_of(dots, 100);
                 if (as_strokes) drawing.strokes = stream_of(lines, 0.3);
-                DrawingSettings settings;
-                settings.pen_width_mm = 0.3;
+                drawing.file.settings.pen_width_mm = 0.3;
                 const auto bytes_with = [&](std::size_t room) {
                     Failing buffer(room);
                     std::ostream out(&buffer);
                     out.exceptions(std::ios::badbit | std::ios::failbit);
-                    write_drawing(out, format.format, settings, drawing, "A drawing");
+                    write_drawing(out, drawing, "A drawing");
                     return buffer.written;
                 };
                 const TemporaryFolder folder;
                 const auto sentence = [&](const fs::path& file) -> std::string {
+                    drawing.file.path = file;
                     try {
-                        save_ordered(file, settings, drawing);
+                        save_ordered(drawing);
                     } catch (const std::runtime_error& error) {
                         return error.what();
                     }
@@ -189,7 +192,7 @@ TEST_CASE("progress rises from nothing to all, in every format") {
         CAPTURE(name);
         std::vector<double> shares;
         const Watch watch{.stop = {}, .progress = [&](double share) { shares.push_back(share); }};
-        CHECK(save_drawing(folder / name, {}, many_to_save(dots), watch));
+        CHECK(save_drawing(many_to_save(dots, folder / name), watch));
         REQUIRE(shares.size() > 3);
         CHECK(shares.front() == 0);
         CHECK(shares.back() == 1);
@@ -208,7 +211,7 @@ TEST_CASE("a saving that is stopped half way leaves the old file whole and nothi
         const auto stop_half_way = [&](double share) {
             if (share > 0.4) source.request_stop();
         };
-        CHECK_FALSE(save_drawing(folder / name, {}, many_to_save(dots),
+        CHECK_FALSE(save_drawing(many_to_save(dots, folder / name),
                                  {.stop = source.get_token(), .progress = stop_half_way}));
         CHECK(text_of(folder / name) == "old");
         fs::remove(folder / name);
@@ -225,7 +228,7 @@ TEST_CASE("a PDF most of whose dots lie beyond its page is stopped wherever it h
         dots.x.push_back(place(random));
         dots.y.push_back(static_cast<float>(i) / 60'000);  // whole paths of theirs are left out
     }
-    DrawingToSave drawing = many_to_save(dots);
+    DrawingToSave drawing = many_to_save(dots, folder / "a.pdf");
     drawing.page = {.width_mm = 100, .height_mm = 20, .mm_per_page_unit = 100};
     for (const double at : {0.1, 0.3, 0.5, 0.7, 0.9}) {
         CAPTURE(at);
@@ -233,8 +236,7 @@ TEST_CASE("a PDF most of whose dots lie beyond its page is stopped wherever it h
         const auto stop_there = [&](double share) {
             if (share > at) source.request_stop();
         };
-        CHECK_FALSE(save_drawing(folder / "a.pdf", {}, drawing,
-                                 {.stop = source.get_token(), .progress = stop_there}));
+        CHECK_FALSE(save_drawing(drawing, {.stop = source.get_token(), .progress = stop_there}));
         CHECK(fs::is_empty(folder / "."));
     }
 }
@@ -251,8 +253,9 @@ TEST_CASE(
     Dots few = dots;
     few.resize(3'000, false);
     const auto saved = [&](std::optional<DotOrder> order) {
-        CHECK(save_drawing(folder / "a.svg", {},
-                           {.dots = stream_of(few, 100), .page = kPage, .saving = {.order = order}}));
+        CHECK(save_drawing({.file = {.path = folder / "a.svg", .saving = {.order = order}},
+                            .dots = stream_of(few, 100),
+                            .page = kPage}));
         return text_of(folder / "a.svg");
     };
     CHECK(saved({}) == saved(DotOrder::shortest));

@@ -164,10 +164,12 @@ TEST_CASE(
         const DotStream dots = pipeline.stream(plan);
         const PageSize page = plan.layout(dots.scale).page;
         const Grid<glm::u8vec3> whole =
-            page_pixels(settings, {.dots = dots,
-                                   .page = page,
-                                   .dot_radius_mm = plan.radius(dots.scale) * page.mm_per_page_unit,
-                                   .saving = {.dpi = dpi_for(page, 300)}});
+            page_pixels({.file = {.format = DrawingFormat::png,
+                                  .settings = settings,
+                                  .saving = {.dpi = dpi_for(page, 300)}},
+                         .dots = dots,
+                         .page = page,
+                         .dot_radius_mm = plan.radius(dots.scale) * page.mm_per_page_unit});
         const FilmFrame frame = film_frames(pipeline, asked, {.kind = kind, .longer_side = 300});
         CHECK(frame(1).values == whole.values);
         CHECK(frame(0.5).values != whole.values);

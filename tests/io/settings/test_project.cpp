@@ -34,7 +34,7 @@ const fs::path kPaper16 = source_folder() / "assets/tiles/paper16.tile";
 /// No field is as it usually is: what is forgotten in a file comes back wrong.
 ViewerSettings nothing_usual() {
     ViewerSettings all;
-    static_cast<DrawingRequest&>(all.drawing) = {
+    all.drawing = {
         .automatic_tone = false,
         .tone_strength = 0.3,
         .automatic_exposure = false,
@@ -49,6 +49,8 @@ ViewerSettings nothing_usual() {
                  .black = 0.85,
                  .invert = true},
         .mask = Mask(Grid<std::uint8_t>(3, 2, 77), Grid<std::uint8_t>(3, 2, 33)),
+        .tile = "14217,2895/16",
+        .ranking = RankingMethod::farthest,
         .placer = PlacerKind::figure8,
         .placing = {.scale = 1234.5, .count = {}, .threads = 0},
         .relax = 7,
@@ -62,6 +64,7 @@ ViewerSettings nothing_usual() {
                  .fit = PageFit::fill,
                  .crop = Crop{{{10, 20}, {90, 80.5}}, Crop::Unit::pixels},
                  .quarter_turns = 3},
+        .sheets = {.columns = 3, .rows = 2, .overlap_mm = 12.5},
         .pens =
             [] {
                 PenChoice pens = parse_pens("greys:0.4");
@@ -69,17 +72,14 @@ ViewerSettings nothing_usual() {
                 pens.ink = PenInk::opaque;
                 return pens;
             }(),
+        .registration = true,
+        .ink = parse_colour("#1d3557"),
         .paper = parse_colour("#f1faee"),
+        .background = true,
+        .show_tiles = true,
         .style = DrawingStyle::nearest,
         .mark = parse_dot_mark("M0,0 L1,1"),
         .pen_width_mm = 0.7};
-    static_cast<DrawnWith&>(all.drawing) = {.tile = "14217,2895/16",
-                                            .ranking = RankingMethod::farthest,
-                                            .sheets = {.columns = 3, .rows = 2, .overlap_mm = 12.5},
-                                            .registration = true,
-                                            .ink = parse_colour("#1d3557"),
-                                            .background = true,
-                                            .show_tiles = true};
     all.density = {DensitySource::grey, 0.3};
     all.picture_opacity = 0.4f;
     all.zoom_mode = ZoomMode::constant_density;

@@ -27,7 +27,7 @@ TEST_CASE("a workbench places on the density that was chosen and goes back to th
     settings.placing.count = 3000;
     PlacedDrawing drawing;
     REQUIRE(bench.place(dots_request(settings, {DensitySource::ramp}), drawing));
-    CHECK(drawing.page_size == glm::dvec2(1, 0.5));
+    CHECK(drawing.plan.picture_size() == glm::dvec2(1, 0.5));
     REQUIRE(drawing.dots.size() == 3000);
     // A linear ramp has a quarter of its dots in the left half.
     int left = 0;
@@ -36,9 +36,9 @@ TEST_CASE("a workbench places on the density that was chosen and goes back to th
     CHECK(left == doctest::Approx(750).epsilon(0.05));
 
     REQUIRE(bench.place(dots_request(settings, {DensitySource::grey, 0.2}), drawing));
-    CHECK(drawing.page_size == glm::dvec2(1, 1));
+    CHECK(drawing.plan.picture_size() == glm::dvec2(1, 1));
     REQUIRE(bench.place(dots_request(settings), drawing));
-    CHECK(drawing.page_size == glm::dvec2(1, 0.5));
+    CHECK(drawing.plan.picture_size() == glm::dvec2(1, 0.5));
     left = 0;
     for_each_position(drawing.dots, count_left);
     CHECK(left == doctest::Approx(1500).epsilon(0.05));

@@ -194,7 +194,7 @@ TEST_CASE("the dots of the page are coloured as chosen, and the same dots as in 
     Workbench bench;
     bench.set_picture({.light = Grid<float>(32, 32, 0.25f)});
     DotsRequest request;
-    request.tile = "aperiodic64";
+    request.drawing.tile = "aperiodic64";
     request.drawing.placing.count = 3000;
     request.drawing.relax = 0;
     request.in_part = false;

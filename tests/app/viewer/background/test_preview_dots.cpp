@@ -22,14 +22,14 @@ PlacedDrawing placed(std::uint64_t count, int steps, bool thresholds, bool in_pa
     Workbench bench;
     bench.set_picture({.light = Grid<float>(8, 8, 0.5f)});
     DotsRequest request;
-    request.tile = kDefaultTile;
+    request.drawing.tile = kDefaultTile;
     request.density.source = density;
     request.drawing.placing.count = count;
     request.drawing.placing.thresholds = thresholds;
     request.drawing.relax = steps;
     request.in_part = in_part;
     request.drawing.placer = placer;
-    if (placer == PlacerKind::figure8) request.tile = "paper16";
+    if (placer == PlacerKind::figure8) request.drawing.tile = "paper16";
     PlacedDrawing drawing;
     bench.place(request, drawing);
     return drawing;
@@ -45,7 +45,7 @@ PreviewDots preview_of(const PlacedDrawing& drawing, double every) {
     const std::vector<DotBlock> blocks = dot_blocks(drawing.dots);
     std::vector<std::size_t> all(blocks.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
-    const double radius = drawing.dot_radius;
+    const double radius = drawing.dot_radius();
     return preview_dots({.dots = drawing.dots,
                          .blocks = blocks,
                          .in_view = all,
@@ -81,9 +81,10 @@ TEST_CASE("a preview is as light as all dots, in light, middle and dark tones, r
     for (const int steps : {0, 10}) {
         const PlacedDrawing drawing =
             placed(50'000, steps, true, true, PlacerKind::exact, DensitySource::ramp);
-        const PageSize page{drawing.page_size.x, drawing.page_size.y, 1};
+        const glm::dvec2 size = drawing.plan.picture_size();
+        const PageSize page{size.x, size.y, 1};
         const auto light = [&](const DotPieces& dots) {
-            return coverage_of({.size = page, .dots = stream_of(dots), .dot_radius_mm = drawing.dot_radius},
+            return coverage_of({.size = page, .dots = stream_of(dots), .dot_radius_mm = drawing.dot_radius()},
                                {.dpi = 25.4 * 1500, .threads = 0});
         };
         const Grid<float> all = light(drawing.dots);

@@ -25,7 +25,7 @@ Picture grey(int side) {
 
 DotsRequest dots(std::uint64_t count) {
     DotsRequest request;
-    request.tile = "paper16";
+    request.drawing.tile = "paper16";
     request.drawing.placing.count = count;
     request.drawing.relax = 0;
     return request;
@@ -118,7 +118,7 @@ TEST_CASE("a first look is drawn until the whole picture is there, and only that
     auto event = listen(worker, [](const WorkerEvent& n) { return placed(n) != nullptr; });
     REQUIRE(placed(event.back())->picture);
     CHECK_FALSE(placed(event.back())->picture->refines);
-    CHECK(placed(event.back())->drawing.picture_pixels == glm::ivec2(32));
+    CHECK(placed(event.back())->drawing.plan.opened == glm::ivec2(32));
     REQUIRE(worker.opening());
     CHECK(worker.opening()->name == "large.jpg");
     int saved_side = 0;
@@ -180,7 +180,7 @@ TEST_CASE("a request that cannot be placed says why") {
     Worker worker([] {});
     worker.open("grey.png", [] { return grey(64); });
     DotsRequest request = dots(100);
-    request.tile = "no such tile";
+    request.drawing.tile = "no such tile";
     worker.place(request);
     auto event = listen(worker, [](const WorkerEvent& n) { return placed(n) != nullptr; });
     CHECK(placed(event.back())->error.find("no such tile") != std::string::npos);
@@ -201,11 +201,11 @@ TEST_CASE("a tile is told with its first dots, and again when another was chosen
     CHECK(first->points.size() == 16);
     CHECK_FALSE(next(dots(200)));
     DotsRequest other = dots(200);
-    other.tile = "28433,5791/16";
+    other.drawing.tile = "28433,5791/16";
     auto second = next(other);
     REQUIRE(second);
     CHECK(second->name == "28433,5791/16");
-    other.ranking = RankingMethod::farthest;
+    other.drawing.ranking = RankingMethod::farthest;
     CHECK(next(other));
 }
 
@@ -460,7 +460,7 @@ TEST_CASE("a drawing that was shown on its way settles no further when another i
 TEST_CASE("another order of a tile's points draws other dots, those that it draws by itself") {
     const auto places = [](Workbench& bench, RankingMethod ranking) {
         DotsRequest request = dots(700);
-        request.ranking = ranking;
+        request.drawing.ranking = ranking;
         PlacedDrawing drawing;
         REQUIRE(bench.place(request, drawing));
         std::vector<std::pair<float, float>> found;

@@ -36,11 +36,14 @@ TEST_CASE("the time told before a drawing is saved is about the one that its dot
     const double radius = plan.radius(stream.scale) * page.mm_per_page_unit;
     for (const Machine machine : {Machine::axidraw_v3, Machine::grbl_laser}) {
         const MachineProgram program = program_of(machine);
-        const DrawingToSave drawing{
-            .dots = stream_of(dots, stream.scale), .page = page, .dot_radius_mm = radius};
+        const auto drawing = [&] {
+            return DrawingToSave{.file = {.settings = settings},
+                                 .dots = stream_of(dots, stream.scale),
+                                 .page = page,
+                                 .dot_radius_mm = radius};
+        };
         const auto told = [&] {
-            return estimated_plotting(settings, drawing, DrawingFormat::svg, DotOrder::shortest, program)
-                .time.total_s();
+            return estimated_plotting(drawing(), DotOrder::shortest, program).time.total_s();
         };
         settings.style = DrawingStyle::dots;
         settings.mark.shape = DotShape::circle;
@@ -49,9 +52,8 @@ TEST_CASE("the time told before a drawing is saved is about the one that its dot
                                             .total_s())
                             .epsilon(0.1));
         const auto taken = [&] {
-            const auto strokes =
-                strokes_of(settings, {.dots = stream_of(dots), .page = page, .dot_radius_mm = radius},
-                           DrawingFormat::svg);
+            const DrawingToSave drawn = drawing();  // which the strokes are of
+            const auto strokes = strokes_of(drawn);
             return figures_of(*strokes, program).time.total_s();
         };
         settings.mark.shape = DotShape::spiral;
@@ -75,16 +77,17 @@ TEST_CASE("the time told before saving is that of the dot order chosen, and its 
     const DotStream stream = pipeline.stream(plan);
     const PageSize page = plan.layout(stream.scale).page;
     const DotPieces placed{{sorted_dots(stream, DotOrder::recursion)}};
-    const DrawingToSave drawing{.dots = stream_of(placed, stream.scale),
-                                .page = page,
-                                .dot_radius_mm = plan.radius(stream.scale) * page.mm_per_page_unit};
+    DrawingToSave drawing{.file = {.settings = settings},
+                          .dots = stream_of(placed, stream.scale),
+                          .page = page,
+                          .dot_radius_mm = plan.radius(stream.scale) * page.mm_per_page_unit};
     const MachineProgram program = program_of(Machine::axidraw_v3);
     for (const DotOrder order :
          {DotOrder::recursion, DotOrder::space, DotOrder::shortest, DotOrder::priority}) {
         CAPTURE(name_of(order));
         const Dots dots = sorted_dots(stream, order);
-        const PlottingEstimate told =
-            estimated_plotting(settings, drawing, DrawingFormat::hpgl, order, program);
+        drawing.file.format = DrawingFormat::hpgl;
+        const PlottingEstimate told = estimated_plotting(drawing, order, program);
         CHECK(told.time.moving_s ==
               doctest::Approx(plotting_time(stream_of(dots), page.mm_per_page_unit, program).moving_s)
                   .epsilon(0.08));
@@ -92,8 +95,8 @@ TEST_CASE("the time told before saving is that of the dot order chosen, and its 
               doctest::Approx(way_length(dots.x, dots.y) * page.mm_per_page_unit / 1000).epsilon(0.08));
         CHECK(told.time.drawing_s == 0);
         // Circles are followed round in an SVG.
-        const PlottingTime rings =
-            estimated_plotting(settings, drawing, DrawingFormat::svg, order, program).time;
+        drawing.file.format = DrawingFormat::svg;
+        const PlottingTime rings = estimated_plotting(drawing, order, program).time;
         CHECK(rings.drawing_s ==
               doctest::Approx(plotting_time_of_rings(stream_of(dots), page.mm_per_page_unit,
                                                      drawing.dot_radius_mm, program)
@@ -118,20 +121,19 @@ TEST_CASE("the time told for several pens is that of each one's own way") {
     REQUIRE(dots.pieces.size() == 4);
     const PageSize page = plan.layout(stream.scale).page;
     const MachineProgram program = program_of(Machine::axidraw_v3);
-    const DrawingToSave drawing{.dots = stream_of(dots, stream.scale),
-                                .page = page,
-                                .pens = plan.pens,
-                                .dot_radius_mm = plan.radius(stream.scale) * page.mm_per_page_unit};
-    const auto estimate = [&] {
-        return estimated_plotting(settings, drawing, DrawingFormat::svg, DotOrder::shortest, program).time;
-    };
+    DrawingToSave drawing{.file = {.settings = settings},
+                          .dots = stream_of(dots, stream.scale),
+                          .page = page,
+                          .pens = plan.pens,
+                          .dot_radius_mm = plan.radius(stream.scale) * page.mm_per_page_unit};
+    const auto estimate = [&] { return estimated_plotting(drawing, DotOrder::shortest, program).time; };
     const PlottingTime told = estimate();
     PlottingTime taken;
     for (const Dots& own : dots.pieces)
         taken.moving_s += plotting_time(stream_of(own), page.mm_per_page_unit, program).moving_s;
     CHECK(told.moving_s == doctest::Approx(taken.moving_s).epsilon(0.1));
-    settings.mark.shape = DotShape::hatch;
-    const auto strokes = strokes_of(settings, drawing, DrawingFormat::svg);
+    drawing.file.settings.mark.shape = DotShape::hatch;
+    const auto strokes = strokes_of(drawing);
     CHECK(estimate().total_s() == doctest::Approx(figures_of(*strokes, program).time.total_s()).epsilon(0.1));
 }
 

@@ -321,11 +321,11 @@ TEST_CASE(
         return wait_until([&] {
             session.take_events(std::chrono::milliseconds(0));
             session.request_dots({.camera = fitted(kCanvas, {1, 1})});
-            return session.placed_once() && right(session.pane().page().framing);
+            return session.placed_once() && right(session.pane().page().plan.framing);
         });
     };
     const auto is_whole = [&](const Framing& framing) {
-        return framing.pixels == Rectangle<int>{{0, 0}, session.pane().page().picture_pixels};
+        return framing.pixels == Rectangle<int>{{0, 0}, session.pane().page().plan.opened};
     };
     REQUIRE(framing_is([&](const Framing& framing) { return !is_whole(framing); }));
     session.cropping.on = true;
@@ -359,7 +359,7 @@ TEST_CASE(
             session.request_dots({.camera = fitted(kCanvas, {1, 1})});
             return session.placed_once() && !session.picture().file.empty();
         }));
-        drawn_with = session.pane().page().tone.exposure;
+        drawn_with = session.pane().page().plan.tone.exposure;
         return session.pane().page().dots.size();
     };
     float dark = 0, bright = 0, moved = 0;

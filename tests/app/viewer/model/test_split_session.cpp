@@ -19,9 +19,9 @@ std::vector<glm::dvec2> places_in_window(const std::string& tile, double scale, 
     Workbench bench;
     bench.set_picture({.light = Grid<float>(8, 8, 0.5f)});
     DotsRequest request;
-    request.tile = tile;
+    request.drawing.tile = tile;
     request.density.source = DensitySource::grey;
-    request.drawing.placing.scale = scale;
+    request.drawing.placing = {.scale = scale};
     request.drawing.relax = 0;
     PlacedDrawing page;
     bench.place(request, page);
@@ -116,7 +116,7 @@ TEST_CASE("zooming in with more dots, both sides show the dots that the page has
         // 7 per cent more than in proportion, as the newest of them fade in.
         CHECK(shown.scale == doctest::Approx(scale * 144 * 1.07).epsilon(1e-4));
         CHECK(shown.dots.size() > 1000);
-        check_same(places_of(shown), places_in_window(pane->tile().name, shown.scale, shown.window));
+        check_same(places_of(shown), places_in_window(pane->tile().name, shown.scale, shown.window()));
     }
     CHECK(session.pane().tile().name == kDefaultTile);
     CHECK(compared.right()->tile().name == "paper16");
@@ -158,7 +158,7 @@ TEST_CASE("deep in the page with larger dots, both sides show the dots that the 
         const PlacedDrawing& shown = pane->shown();
         CHECK(shown.scale == doctest::Approx(pane->page().scale).epsilon(1e-6));
         CHECK(shown.dots.size() > 50);
-        check_same(places_of(shown), places_in_window(pane->tile().name, shown.scale, shown.window));
+        check_same(places_of(shown), places_in_window(pane->tile().name, shown.scale, shown.window()));
     }
 }
 

@@ -9,7 +9,7 @@
 namespace dapple {
 
 TEST_CASE("the brush is chosen by what it paints, and is off where its section is folded") {
-    DrawingRequest drawing;
+    DrawingSettings drawing;
     MaskBrush brush;
     HeadlessUi ui([&] { draw_mask_panel(drawing, brush); });
     for (const auto& [name, kind] :
@@ -27,7 +27,7 @@ TEST_CASE("the brush is chosen by what it paints, and is off where its section i
 }
 
 TEST_CASE("the brush's size is typed in percent, or stepped by keys") {
-    DrawingRequest drawing;
+    DrawingSettings drawing;
     MaskBrush brush;
     HeadlessUi ui([&] { draw_mask_panel(drawing, brush); });
     ui.click("more");
@@ -38,7 +38,7 @@ TEST_CASE("the brush's size is typed in percent, or stepped by keys") {
 }
 
 TEST_CASE("the brush for finer dots says so where a drawing has none") {
-    DrawingRequest drawing;
+    DrawingSettings drawing;
     MaskBrush brush;
     HeadlessUi ui([&] { draw_mask_panel(drawing, brush); });
     ui.click("finer");
@@ -49,7 +49,7 @@ TEST_CASE("the brush for finer dots says so where a drawing has none") {
 }
 
 TEST_CASE("a mask is cleared by its button, which is not there without one") {
-    DrawingRequest drawing;
+    DrawingSettings drawing;
     MaskBrush brush;
     bool cleared = false;
     HeadlessUi ui([&] { cleared |= draw_mask_panel(drawing, brush); });

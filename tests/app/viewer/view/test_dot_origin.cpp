@@ -237,14 +237,15 @@ TEST_CASE("where nothing of the page is in view, the pointer is on no dot, howev
     REQUIRE(bench.place(dots_request(settings), drawing));
     drawing.blocks = dot_blocks(drawing.dots);
     for (const std::int64_t corner : {std::int64_t{0}, kPage}) {
-        drawing.window.x = drawing.window.y = corner;
+        drawing.plan.placing.window.x = drawing.plan.placing.window.y = corner;
         CHECK_FALSE(dot_under(drawing, {}, {kFurthest, kFurthest}, 1e-3));
     }
 }
 
 TEST_CASE("zoomed in as far as it goes, a dot is explained still") {
     PlacedDrawing drawing;
-    drawing.dot_radius = 0.01;
+    drawing.plan.size = {.sizing = DotSizing::fixed, .radius_mm = 0.01};
+    drawing.plan.page.mm_per_page_unit = drawing.layout.page.mm_per_page_unit = 1;
     Dots dots;
     dots.x = {0.5f};
     dots.y = {0.5f};
@@ -260,7 +261,7 @@ TEST_CASE("zoomed in as far as it goes, a dot is explained still") {
     ui.move_to({200, 450});
     for (; camera.pixels_per_unit < kLargestZoom; camera.pixels_per_unit *= 2) {
         ui.frame();
-        REQUIRE(dot_under(drawing, {}, camera.centre, drawing.dot_radius));
+        REQUIRE(dot_under(drawing, {}, camera.centre, drawing.dot_radius()));
     }
 }
 

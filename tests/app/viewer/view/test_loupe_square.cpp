@@ -15,7 +15,7 @@ namespace {
 /// m x m dots in even rows, on the whole page or in a window.
 PlacedDrawing lattice(int m, const PageWindow& window = {}) {
     PlacedDrawing drawing;
-    drawing.window = window;
+    drawing.plan.placing.window = window;
     Dots dots;
     for (const glm::dvec2 p : square_lattice(m)) {
         dots.x.push_back(static_cast<float>(p.x * window.width));
@@ -69,7 +69,7 @@ TEST_CASE("a step goes one level deeper, or back") {
 
 TEST_CASE("at the page's edge the loupe's square stays within the page") {
     PlacedDrawing upright = lattice(256);
-    upright.page_size = {0.6, 1};
+    upright.plan.pixels = {60, 100};
     for (const glm::dvec2 p : {glm::dvec2(0, 0), glm::dvec2(0.599, 0.999), glm::dvec2(0.599, 0.3)}) {
         const auto square = loupe_square(upright, 16, page_point(p), 0);
         REQUIRE(square);
