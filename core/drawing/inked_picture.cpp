@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/image/auto_tone.h"
-#include "core/image/blur.h"
+#include "core/image/colour.h"
 #include "core/image/tone.h"
 
 namespace dapple {
@@ -31,6 +31,11 @@ Grid<float> negative(Grid<float> light) {
     for (float& value : light.values)
         value = srgb_to_linear(1 - linear_to_srgb(std::clamp(value, 0.0f, 1.0f)));
     return light;
+}
+
+int pen_for_inking(std::span<const Pen> pens) {
+    const auto light = [](const Pen& pen) { return luminance(linear_of(pen.colour)); };
+    return pens.empty() ? 0 : static_cast<int>(std::ranges::min_element(pens, {}, light) - pens.begin());
 }
 
 std::vector<InkLine> lines_shown(const std::vector<InkLine>& lines, double contours) {

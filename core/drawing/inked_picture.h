@@ -1,12 +1,14 @@
 #pragma once
 // A picture's lines and solid blacks, as its settings ask for them, and its density with room for them.
 
+#include <span>
 #include <vector>
 
 #include "core/drawing/settings.h"
 #include "core/image/density.h"
 #include "core/image/grid.h"
 #include "core/lines/inking.h"
+#include "core/pens/pen.h"
 
 namespace dapple {
 
@@ -16,6 +18,9 @@ Grid<float> light_for_lines(const Grid<float>& light, float exposure);
 
 /// The negative, in encoded values, for light ink.
 Grid<float> negative(Grid<float> light);
+
+/// The pen that draws lines and blacks: the darkest one's place in the palette, 0 if there are not several.
+int pen_for_inking(std::span<const Pen> pens);
 
 /// Those of the lines that a strength of 0..1 shows, the weaker ones thinner.
 std::vector<InkLine> lines_shown(const std::vector<InkLine>& lines, double contours);

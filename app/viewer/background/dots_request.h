@@ -71,6 +71,7 @@ struct PlacedDrawing : Stippling {
     std::vector<PlacedTile> outlines;
     std::vector<DotBlock> blocks;      // dot_blocks(), where it goes to the screen
     ShownStrokes strokes;              // instead of the dots, where a pen draws them on the screen
+    ShownStrokes inking;               // beside either
     std::vector<glm::u8vec4> colours;  // one a dot; empty: all in ink, or their pens'
     double tone_ms = 0;                // density and its pyramid, 0 if they were still there
 

@@ -4,6 +4,7 @@
 #include <glm/common.hpp>
 #include <utility>
 
+#include "core/drawing/inked_picture.h"
 #include "core/placing/dot_stream.h"
 #include "core/routing/short_way.h"
 
@@ -67,6 +68,22 @@ ShownStrokes on_screen(const StrokeStream& strokes, std::span<const Pen> pens, d
         for (std::size_t i = 1; i < points.size(); ++i) add(points[i - 1], points[i]);
     });
     put_into_blocks(shown);
+    return shown;
+}
+
+ShownStrokes shown_inking(const Inking& inking, std::span<const Pen> pens, glm::dvec2 corner) {
+    constexpr double kPen = 1.0 / 500;  // page units, of what fills blacks
+    ShownStrokes shown = on_screen(stream_of(strokes_of({.areas = inking.areas}, kPen, 1), kPen), {}, 1);
+    shown.widths.assign(shown.lines.size(), static_cast<float>(kPen));
+    for (const InkLine& line : inking.lines)
+        for (std::size_t i = 1; i < line.points.size(); ++i) {
+            shown.lines.emplace_back(glm::vec2(line.points[i - 1]), glm::vec2(line.points[i]));
+            shown.widths.push_back((line.widths[i - 1] + line.widths[i]) / 2);
+        }
+    const glm::vec2 from(corner);
+    for (glm::vec4& line : shown.lines) line -= glm::vec4(from, from);
+    if (!pens.empty())
+        shown.pens.assign(shown.lines.size(), static_cast<std::uint8_t>(pen_for_inking(pens)));
     return shown;
 }
 

@@ -9,6 +9,7 @@
 
 #include "app/viewer/background/dot_blocks.h"
 #include "core/drawing/settings.h"
+#include "core/lines/inking.h"
 #include "core/pens/pen.h"
 #include "core/placing/dot_order.h"
 #include "core/placing/page.h"
@@ -37,6 +38,9 @@ enum class LineWay {
 ShownStrokes shown_strokes(const DotPieces& dots, const DrawingSettings& settings,
                            std::optional<DotOrder> order, std::span<const Pen> pens, const PageSize& page,
                            double dot_radius, LineWay way, const std::stop_token& stop = {});
+
+/// Lines and solid blacks among the dots, seen from a window's corner in page units.
+ShownStrokes shown_inking(const Inking& inking, std::span<const Pen> pens, glm::dvec2 corner);
 
 /// Strokes as they are, in millimetres from the picture's corner. None where there would be so many.
 ShownStrokes on_screen(const StrokeStream& strokes, std::span<const Pen> pens, double mm_per_page_unit);

@@ -224,6 +224,10 @@ DotsPlaced Workbench::ready_for_screen(const DotsRequest& request, PlacedDrawing
     if (draws_strokes(request.drawing) && !request.close)
         drawing.strokes = shown_strokes(drawing.dots, request.drawing, request.line_order, drawing.plan.pens,
                                         drawing.layout.page, drawing.dot_radius(), way, stop);
+    drawing.inking = {};
+    if (drawing.plan.inking)
+        drawing.inking = shown_inking(*drawing.plan.inking, drawing.plan.pens,
+                                      {drawing.window().x, drawing.window().y});
     // Large tiles first: see Renderer::set_tiles().
     std::ranges::stable_sort(drawing.outlines, {}, &PlacedTile::level);
     shrink_if_far_too_large(drawing);

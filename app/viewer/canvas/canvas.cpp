@@ -33,6 +33,7 @@ void Canvas::set_drawing(Side side, const PlacedDrawing& drawing) {
     renderer.set_pens(drawing.plan.pens);
     renderer.set_dot_colours(drawing.colours);
     renderer.set_strokes(drawing.strokes);
+    renderer.set_inking(drawing.inking);
     renderer.set_tiles(drawing.outlines, drawing.window());
     if (side == Side::left) page_size_ = drawing.plan.picture_size();
     drawn_camera_.reset();

@@ -38,6 +38,15 @@ static void add_block(RasterInk& raster, const InkToDraw& ink, const DotBlock& b
                             .every = ink.every});
 }
 
+static RasterLines lines_of(const ShownStrokes& inking) {
+    return {.lines = inking.lines, .widths = inking.widths, .pens = inking.pens};
+}
+
+void ProcessorDots::begin(const RasterView& view, const RasterGrain& grain, const InkToDraw& ink) {
+    raster_.begin(view, grain);
+    if (ink.inking) raster_.add(lines_of(*ink.inking), ink.look);
+}
+
 std::size_t ProcessorDots::add(const InkToDraw& ink, std::span<const std::size_t> numbers, std::size_t most) {
     RasterInk raster;
     std::size_t count = 0, blocks = 0;
@@ -60,6 +69,7 @@ void ProcessorDots::finish(bool by_pen) {
 double ProcessorDots::draw(const RasterView& view, const RasterGrain& grain, const InkToDraw& ink,
                            std::span<const std::size_t> numbers, bool by_pen) {
     RasterInk raster;
+    if (ink.inking) raster.lines.push_back(lines_of(*ink.inking));
     for (const std::size_t number : numbers) add_block(raster, ink, ink.blocks[number]);
     return by_pen ? raster_.draw(view, grain, raster, ink.look, pens_)
                   : raster_.draw(view, grain, raster, ink.look, cover_);

@@ -36,6 +36,7 @@ DotsBy usual_dots_by();
 struct InkToDraw {
     const DotPieces* dots = nullptr;
     const ShownStrokes* strokes = nullptr;
+    const ShownStrokes* inking = nullptr;  // beside either
     std::span<const DotBlock> blocks;  // of either
     RasterLook look;
     std::size_t every = 1;  // one in so many lines is drawn
@@ -43,8 +44,8 @@ struct InkToDraw {
 
 class ProcessorDots {
  public:
-    /// An empty picture.
-    void begin(const RasterView& view, const RasterGrain& grain) { raster_.begin(view, grain); }
+    /// A picture with nothing but the inking.
+    void begin(const RasterView& view, const RasterGrain& grain, const InkToDraw& ink);
     /// Draws the first ones of the blocks with those numbers that have `most` dots or a few more together.
     /// Returns how many.
     std::size_t add(const InkToDraw& ink, std::span<const std::size_t> numbers, std::size_t most);

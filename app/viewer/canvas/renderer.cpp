@@ -195,6 +195,7 @@ void Renderer::set_dots(const DotPieces& dots, std::span<const DotBlock> blocks,
     ink_ = {};
     pens_.clear();
     strokes_ = nullptr;
+    inking_ = nullptr;
     const auto all_have = [&](FloatBuffer Dots::*column) {
         return std::ranges::all_of(dots.pieces,
                                    [&](const Dots& piece) { return (piece.*column).size() == piece.size(); });
@@ -238,6 +239,11 @@ void Renderer::set_strokes(const ShownStrokes& strokes) {
     all_.blocks = strokes.blocks;
     all_.has_radii = false;
     all_.colours = {};
+}
+
+void Renderer::set_inking(const ShownStrokes& inking) {
+    job_.reset();
+    inking_ = inking.lines.empty() ? nullptr : &inking;
 }
 
 void Renderer::set_tiles(std::span<const PlacedTile> tiles, const PageWindow& window) {
@@ -375,8 +381,9 @@ void Renderer::begin_dots(Job& job, Turn& turn) {
     job.prepared = true;
     if (job.grid.samples == 0) return;
     prepare_dots(job);
+    if (inking_ && !job.raster) draw_inking(job);
     if (!turn.ends()) return;
-    if (job.raster) processor_dots_.begin(raster_view(job), *job.raster);
+    if (job.raster) processor_dots_.begin(raster_view(job), *job.raster, ink_to_draw(job));
     turn.finish();
 }
 
@@ -398,7 +405,7 @@ void Renderer::draw_all_dots(Job& job, Turn& turn) {
     const Clock::time_point begin = Clock::now();
     double share_of_dots = 1;  // of the time
     if (job.every > 1 && !strokes_) show_preview(job);
-    if (job.blocks.empty()) return;
+    if (job.blocks.empty() && !inking_) return;
     if (job.raster) {
         share_of_dots =
             processor_dots_.draw(raster_view(job), *job.raster, ink_to_draw(job), job.blocks, by_pen());
@@ -511,6 +518,7 @@ InkToDraw Renderer::ink_to_draw(const Job& job) {
     const auto every = static_cast<double>(job.every);
     return {.dots = job.shown->dots,
             .strokes = strokes_,
+            .inking = inking_,
             .blocks = job.shown->blocks,
             .look = {.radius = job.look.dot_radius,
                      .largest_radius = job.shown->largest_radius,
@@ -653,33 +661,54 @@ void Renderer::draw_lines(Job& job, std::size_t most) {
             line_widths_handed_over_.push_back(strokes_->widths[i]);
         }
     }
+    // Those left away are made up for: a line covers in proportion to its width.
+    draw_handed_over(job, strokes_->width, static_cast<double>(job.every));
+}
+
+// All of it, before the dots.
+void Renderer::draw_inking(const Job& job) {
+    lines_handed_over_ = inking_->lines;
+    line_widths_handed_over_ = inking_->widths;
+    colours_handed_over_.clear();
+    if (by_pen()) {
+        if (job.look.hidden_pens >> inking_->pens.front() & 1) return;
+        colours_handed_over_.assign(inking_->lines.size(), pen_as_colour(inking_->pens.front()));
+    }
+    draw_handed_over(job, 0, 1);
+}
+
+// Lines in the memory for it, with widths of their own or that one.
+void Renderer::draw_handed_over(const Job& job, double width, double grow) {
     line_ends_.write(std::as_bytes(std::span(lines_handed_over_)));
     line_array_.bind();
     if (by_pen()) {
         dot_colour_.write(std::as_bytes(std::span(colours_handed_over_)));
         colour_column(kLineColour, dot_colour_, 1);
+    } else {
+        glDisableVertexAttribArray(kLineColour);
+    }
+    if (!line_widths_handed_over_.empty()) {
         line_widths_.write(std::as_bytes(std::span(line_widths_handed_over_)));
         column(kLineWidth, line_widths_, 1, 1);
     } else {
-        glDisableVertexAttribArray(kLineColour);
         glDisableVertexAttribArray(kLineWidth);
     }
     const DotGrid& grid = job.grid;
     const double scale = job.camera.pixels_per_unit * grid.samples;
     dots_of(job).bind();
     glEnable(GL_FRAMEBUFFER_SRGB);
+    glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, by_pen() ? GL_ONE_MINUS_SRC_COLOR : GL_ONE_MINUS_SRC_ALPHA);
     line_.use();
     set_transform(line_, {.offset = (to_canvas(job.camera, dot_origin_) - glm::dvec2(grid.low)) *
                                     static_cast<double>(grid.samples),
                           .scale = scale,
                           .canvas = glm::dvec2((grid.high - grid.low) * grid.samples)});
-    // Those left away are made up for: a line covers in proportion to its width.
-    glUniform1f(line_.uniform("grow"), static_cast<float>(job.every));
+    glUniform1f(line_.uniform("grow"), static_cast<float>(grow));
     glUniform1i(line_.uniform("by_pen"), by_pen());
     // What the shader reads where no column is attached.
     glVertexAttrib4f(kLineColour, 1, 1, 1, 1);
-    glVertexAttrib1f(kLineWidth, static_cast<float>(strokes_->width));
+    glVertexAttrib1f(kLineWidth, static_cast<float>(width));
     line_array_.bind();
     glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(lines_handed_over_.size()));
     glDisable(GL_FRAMEBUFFER_SRGB);

@@ -99,6 +99,8 @@ class Renderer {
     void set_dot_colours(std::span<const glm::u8vec4> colours);
     /// What is drawn in place of the dots, if there is any; until the next set_dots().
     void set_strokes(const ShownStrokes& strokes);
+    /// What is drawn beside either; until the next set_dots().
+    void set_inking(const ShownStrokes& inking);
     /// Large tiles before small ones: drawn last, their lines stay on top.
     void set_tiles(std::span<const PlacedTile> tiles, const PageWindow& window = {});
     /// mipmaps_of() it, or nothing. It is seen once upload() has handed all of it to OpenGL.
@@ -189,6 +191,8 @@ class Renderer {
     InkToDraw ink_to_draw(const Job& job);
     void draw_dots(Job& job, std::size_t most);
     void draw_lines(Job& job, std::size_t most);
+    void draw_inking(const Job& job);
+    void draw_handed_over(const Job& job, double width, double grow);
     void show_preview(Job& job);
     bool has_colours() const { return !all_.colours.empty(); }
     bool by_pen() const { return !pens_.empty() && !has_colours(); }
@@ -220,6 +224,7 @@ class Renderer {
     std::vector<glm::vec4> pens_;  // linear light; what of that below is seen: 1, multiplied, or 0
     std::span<const PlacedTile> tiles_shown_;
     const ShownStrokes* strokes_ = nullptr;  // instead of the dots; none: these
+    const ShownStrokes* inking_ = nullptr;   // beside them
     std::vector<glm::vec4> lines_handed_over_;
     std::vector<float> line_widths_handed_over_;
     Dots handed_over_;  // to OpenGL, when dots are drawn
