@@ -1,0 +1,33 @@
+#pragma once
+// The lines that someone who draws with pen and ink would take out of a photograph: contours, each one once,
+// rather than texture.
+
+#include <glm/vec2.hpp>
+#include <vector>
+
+#include "core/image/grid.h"
+
+namespace dapple {
+
+/// The middle of a line. Lengths are in units of the picture's longer side, from its upper left corner, x to
+/// the right and y down.
+struct InkLine {
+    std::vector<glm::dvec2> points;  // two or more; a closed one's last is its first
+    std::vector<float> widths;       // at each point: from kHairWidth to kBoldWidth, less towards free ends
+    float strength = 0;              // 0..1, how much it stands out
+
+    bool closed() const { return points.front() == points.back(); }
+};
+
+inline constexpr float kHairWidth = 0.0009f, kBoldWidth = 0.0045f;
+
+/// All lines of a picture of linear light, the strongest first; none is weaker than 0.05. Whoever draws takes
+/// those with at least some strength: half of it shows what has a shape, less brings in detail.
+///
+/// They are where local energy is highest across the flow (line_field.h), at two scales, about 1/500 of the
+/// longer side and 1/220 where the finer one has found none; traced along the flow from the strongest place
+/// on, down to where they no longer stand out (hysteresis, Canny 1986). Contrast that stands out and length
+/// make the strength. The picture is reduced to 640..1,280 pixels along its longer side, if it has more.
+std::vector<InkLine> find_lines(const Grid<float>& light);
+
+}  // namespace dapple
