@@ -227,10 +227,12 @@ float strength_of(const Trace& trace, float longer_side) {
                      (length + kHalfLength + kBusyLength * busy * busy));
 }
 
-float width_of(float contrast) {
-    constexpr float kFaint = 0.05f, kStrong = 0.6f;
-    const float t = std::clamp((contrast - kFaint) / (kStrong - kFaint), 0.0f, 1.0f);
-    return kHairWidth + (kBoldWidth - kHairWidth) * t;
+// By the contrast of an edge, and more in the dark, where dots would drown a fine line.
+float width_of(float contrast, float encoded) {
+    constexpr float kFaint = 0.05f, kStrong = 0.6f, kShade = 0.3f;
+    const float edge = std::clamp((contrast - kFaint) / (kStrong - kFaint), 0.0f, 1.0f);
+    const float dark = kShade * (1 - encoded) * (1 - encoded);
+    return kHairWidth + (kBoldWidth - kHairWidth) * std::min(edge + dark, 1.0f);
 }
 
 // From a third of the width at the end to all of it, as a round nib lifts.
@@ -240,15 +242,15 @@ float taper(float from_end) {
     return kEnd + (1 - kEnd) * t * (2 - t);
 }
 
-InkLine finished(Trace trace, float strength, glm::dvec2 units_per_pixel) {
+InkLine finished(const Trace& trace, float strength, const Grid<float>& picture, glm::dvec2 units_per_pixel) {
     std::vector<glm::vec2> places;
-    std::vector<float> contrasts;
+    std::vector<float> widths;
     for (const TracePoint& point : trace.points) {
         places.push_back(point.at);
-        contrasts.push_back(point.contrast);
+        widths.push_back(width_of(point.contrast, value_at(picture, point.at)));
     }
     smooth(places, 4, trace.closed);
-    smooth(contrasts, 20, trace.closed);
+    smooth(widths, 20, trace.closed);
     InkLine line{{}, {}, strength};
     for (const glm::vec2 place : places) line.points.push_back((glm::dvec2(place) + 0.5) * units_per_pixel);
     std::vector<float> from_front(places.size());
@@ -256,7 +258,7 @@ InkLine finished(Trace trace, float strength, glm::dvec2 units_per_pixel) {
         from_front[i] =
             from_front[i - 1] + static_cast<float>(glm::distance(line.points[i - 1], line.points[i]));
     for (std::size_t i = 0; i < places.size(); ++i) {
-        float width = width_of(contrasts[i]);
+        float width = widths[i];
         if (!trace.closed && !trace.joins_front) width *= taper(from_front[i]);
         if (!trace.closed && !trace.joins_back) width *= taper(from_front.back() - from_front[i]);
         line.widths.push_back(width);
@@ -304,7 +306,7 @@ std::vector<InkLine> find_lines(const Grid<float>& light) {
             if (strength < kWeakest) continue;
             draw(trace, kOneLine * sigma, drawn);
             for (TracePoint& point : trace.points) point.at = (point.at + 0.5f) * times - 0.5f;
-            lines.push_back(finished(trace, strength, units_per_pixel));
+            lines.push_back(finished(trace, strength, picture, units_per_pixel));
             traces.push_back(std::move(trace));
         }
     };

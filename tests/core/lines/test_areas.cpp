@@ -109,7 +109,8 @@ TEST_CASE("lines of light stay in what is black, thin black ones and grey are no
 }
 
 TEST_CASE("what is black to the edge of the picture reaches it") {
-    for (const auto& [width, height] : {std::pair(200, 100), std::pair(1, 90), std::pair(3000, 700)}) {
+    for (const auto& size : {std::pair(200, 100), std::pair(1, 90), std::pair(3000, 700)}) {
+        const int width = size.first, height = size.second;
         CAPTURE(width);
         CAPTURE(height);
         const double longer = std::max(width, height);
