@@ -16,7 +16,7 @@ namespace dapple {
 
 namespace {
 
-constexpr double kSpeck = 0.011;  // side of a square of paper that is filled
+constexpr double kSpeck = 0.015;  // side of a square of paper that is filled
 constexpr double kRingTolerance = 1e-4;
 
 using Ring = std::vector<glm::dvec2>;
@@ -164,8 +164,8 @@ void cover_area(Grid<float>& grid, const std::vector<Ring>& rings) {
 }  // namespace
 
 std::vector<InkArea> find_blacks(const Grid<float>& light, double darkness, double least_size) {
-    constexpr double kBlur = 1.2, kWider = 4, kOpening = 1.3, kNear = 1.2;  // in sigmas of fine lines
-    constexpr float kSharper = 2, kSoft = 0.03f;
+    constexpr double kBlur = 1.7, kWider = 5, kOpening = 1.3, kNear = 2;  // in sigmas of fine lines
+    constexpr float kSharper = 2, kSoft = 0.06f;
     if (light.empty()) return {};
     const Grid<float> picture = encoded_lightness(light, kLongestSide);
     const double longer_side = std::max(picture.width, picture.height);
@@ -231,7 +231,7 @@ std::vector<InkLine> outside(const std::vector<InkLine>& lines, const std::vecto
     };
     std::vector<InkLine> pieces;
     for (const InkLine& line : lines) {
-        InkLine piece{{}, {}, line.strength};
+        InkLine piece{{}, {}, line.strength, line.light};
         const auto end_piece = [&] {
             if (piece.points.size() > 1 && (static_cast<double>(piece.points.size()) > kShortest / kStep)) {
                 simplify(piece.points, piece.widths, kRingTolerance / 10);

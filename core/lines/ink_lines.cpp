@@ -17,18 +17,19 @@ namespace {
 constexpr float kCoarser = 2.3f;                 // times the fine scale
 constexpr float kLeastScale = 0.8f;              // pixels
 constexpr float kSeed = 0.035f, kGoOn = 0.012f;  // salience where a line begins, and where it ends
-constexpr float kGap = 4;                        // sigmas that a line may lead through nothing
+constexpr float kGap = 7;                        // sigmas that a line may lead through nothing
 constexpr float kStep = 0.7f;                    // sigmas, but a pixel at least
 constexpr float kOneLine = 2.5f;                 // sigmas within which there are no two lines
 constexpr float kHalfLength = 0.01f;             // of the longer side: lines of that length count half
 constexpr float kBusyLength = 0.15f;             // more of it where hardly anything stands out
 constexpr float kHalfSalience = 0.025f;          // salience of long lines of middling strength
+constexpr float kLight = -0.45f;                 // mean phase of lines of light
 constexpr float kWeakest = 0.05f;
 constexpr double kTolerance = 1e-4;  // by which a line may move to have fewer points
 
 struct TracePoint {
     glm::vec2 at;
-    float contrast, salience;
+    float contrast, salience, phase;
 };
 
 struct Trace {
@@ -111,7 +112,7 @@ class Tracer {
 
  private:
     TracePoint point_at(glm::vec2 place) const {
-        return {place, field_.contrast_at(place), field_.salience_at(place)};
+        return {place, field_.contrast_at(place), field_.salience_at(place), field_.phase_at(place)};
     }
 
     // Moved across the flow towards where contrast is highest, by a parabola, and not far at once.
@@ -251,7 +252,9 @@ InkLine finished(const Trace& trace, float strength, const Grid<float>& picture,
     }
     smooth(places, 4, trace.closed);
     smooth(widths, 20, trace.closed);
-    InkLine line{{}, {}, strength};
+    float phase = 0;
+    for (const TracePoint& point : trace.points) phase += point.phase;
+    InkLine line{{}, {}, strength, phase < kLight * static_cast<float>(trace.points.size())};
     for (const glm::vec2 place : places) line.points.push_back((glm::dvec2(place) + 0.5) * units_per_pixel);
     std::vector<float> from_front(places.size());
     for (std::size_t i = 1; i < places.size(); ++i)

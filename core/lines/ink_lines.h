@@ -15,6 +15,7 @@ struct InkLine {
     std::vector<glm::dvec2> points;  // two or more; a closed one's last is its first
     std::vector<float> widths;       // at each point: from kHairWidth to kBoldWidth, less towards free ends
     float strength = 0;              // 0..1, how much it stands out
+    bool light = false;              // a line of light: paper, from which dots keep away
 
     bool closed() const { return points.front() == points.back(); }
 };

@@ -18,10 +18,9 @@ constexpr float kRoot2Pi = 2.5066283f;
 
 // In sigmas: how far the flow is smoothed, and over how much coherence and surroundings are taken.
 constexpr float kFlowReach = 2.5f, kCoherenceReach = 4, kSurroundingReach = 9;
-constexpr float kEvenShare = 0.88f;                  // so that neither an edge nor a line has two maxima
-constexpr float kInhibition = 1.5f;                  // how often the surroundings' contrast is taken off
-constexpr float kNoise = 0.012f;                     // contrast that has no direction of its own
-constexpr float kLight = -0.8f, kNotLight = -0.35f;  // phases
+constexpr float kEvenShare = 0.88f;  // so that neither an edge nor a line has two maxima
+constexpr float kInhibition = 1.5f;  // how often the surroundings' contrast is taken off
+constexpr float kNoise = 0.012f;     // contrast that has no direction of its own
 constexpr float kIncoherent = 0.15f, kCoherent = 0.5f;
 
 float smooth_step(float from, float to, float x) {
@@ -220,8 +219,7 @@ float LineField::salience_at(glm::vec2 place) const {
     const glm::vec2 at = in_blocks(place);
     const float left_over = contrast_at(place) - kInhibition * value_at(surrounding_, at);
     if (!(left_over > 0)) return 0;
-    return left_over * smooth_step(kLight, kNotLight, value_at(phase_, place)) *
-           smooth_step(kIncoherent, kCoherent, value_at(coherence_, at));
+    return left_over * smooth_step(kIncoherent, kCoherent, value_at(coherence_, at));
 }
 
 std::vector<LineField::Seed> LineField::seeds(float least_salience) const {
@@ -233,7 +231,9 @@ std::vector<LineField::Seed> LineField::seeds(float least_salience) const {
             const bool most_across = near.here[left] < here && near.here[right] <= here;
             const bool most_down = near.upper[x] < here && near.lower[x] <= here;
             if (here < least_salience || !(most_across || most_down) || !inside({x, y})) return;
-            const float salience = salience_at({x, y});
+            const glm::vec2 place(x, y), normal = normal_at(place);
+            if (contrast_at(place - normal) > here || contrast_at(place + normal) > here) return;
+            const float salience = salience_at(place);
             if (salience >= least_salience) rows[static_cast<std::size_t>(y)].push_back({salience, x, y});
         });
     });

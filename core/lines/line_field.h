@@ -42,6 +42,9 @@ class LineField {
     /// light.
     float salience_at(glm::vec2 place) const;
 
+    /// -1 on a line of light, 0 on an edge, 1 on a dark line.
+    float phase_at(glm::vec2 place) const { return value_at(phase_, place); }
+
     glm::ivec2 size() const { return {contrast_.width, contrast_.height}; }
 
     /// Whether it is a pixel or more within the outermost pixels' centres.
