@@ -9,6 +9,7 @@
 
 #include "core/lines/curve.h"
 #include "core/lines/line_field.h"
+#include "core/maths/portable_math.h"
 
 namespace dapple {
 
@@ -21,8 +22,9 @@ constexpr float kGap = 7;                        // sigmas that a line may lead 
 constexpr float kStep = 0.7f;                    // sigmas, but a pixel at least
 constexpr float kOneLine = 2.5f;                 // sigmas within which there are no two lines
 constexpr float kHalfLength = 0.01f;             // of the longer side: lines of that length count half
-constexpr float kBusyLength = 0.15f;             // more of it where hardly anything stands out
+constexpr float kBusyLength = 0.4f;              // more of it where hardly anything stands out
 constexpr float kHalfSalience = 0.025f;          // salience of long lines of middling strength
+constexpr float kEven = 0.38f;                   // makes half the strength what suits most pictures
 constexpr float kLight = -0.45f;                 // mean phase of lines of light
 constexpr float kWeakest = 0.05f;
 constexpr double kTolerance = 1e-4;  // by which a line may move to have fewer points
@@ -224,8 +226,9 @@ float strength_of(const Trace& trace, float longer_side) {
     contrast /= static_cast<float>(trace.points.size());
     length /= longer_side;
     const float busy = 1 - std::min(salience / contrast, 1.0f);
-    return std::sqrt(salience / (salience + kHalfSalience) * length /
-                     (length + kHalfLength + kBusyLength * busy * busy));
+    const float shares =
+        salience / (salience + kHalfSalience) * length / (length + kHalfLength + kBusyLength * busy * busy);
+    return portable::pow(shares, kEven);
 }
 
 // By the contrast of an edge, and more in the dark, where dots would drown a fine line.
