@@ -167,9 +167,9 @@ std::vector<InkArea> find_blacks(const Grid<float>& light, double darkness, doub
     constexpr double kBlur = 1.7, kWider = 5, kOpening = 1.3, kNear = 2;  // in sigmas of fine lines
     constexpr float kSharper = 2, kSoft = 0.06f;
     if (light.empty()) return {};
-    const Grid<float> picture = encoded_lightness(light, kLongestSide);
+    const Grid<float> picture = encoded_lightness(light);
     const double longer_side = std::max(picture.width, picture.height);
-    const double sigma = std::max(kFineScale * longer_side, 0.8);
+    const double sigma = std::max<double>(kFineScale * longer_side, kLeastScale);
     const Grid<float> smooth = blurred(picture, kBlur * sigma), wide = blurred(picture, kWider * sigma);
     const auto dark = static_cast<float>(1 - darkness);
     const auto ink_of = [&](float encoded) {

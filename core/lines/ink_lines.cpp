@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <glm/geometric.hpp>
-#include <iterator>
+#include <utility>
 
 #include "core/lines/curve.h"
 #include "core/lines/line_field.h"
@@ -16,7 +15,6 @@ namespace dapple {
 namespace {
 
 constexpr float kCoarser = 2.3f;                 // times the fine scale
-constexpr float kLeastScale = 0.8f;              // pixels
 constexpr float kSeed = 0.035f, kGoOn = 0.012f;  // salience where a line begins, and where it ends
 constexpr float kGap = 7;                        // sigmas that a line may lead through nothing
 constexpr float kStep = 0.7f;                    // sigmas, but a pixel at least
@@ -39,44 +37,45 @@ struct Trace {
     bool closed = false, joins_front = false, joins_back = false;
 };
 
-// What is drawn already: at each pixel the point of a line that is near, if there is one.
+// What is drawn already: at each pixel the nearest point of a line, if there is one near.
 class DrawnLines {
  public:
-    DrawnLines(int width, int height) : near_(width, height, kNone) {}
+    DrawnLines(glm::ivec2 size, float radius) : radius_(radius), near_(size.x, size.y, kNone) {}
 
     struct Point {
         glm::vec2 at, along;
     };
 
-    const Point* near(glm::vec2 place) const {
-        const int x = static_cast<int>(std::lround(place.x)), y = static_cast<int>(std::lround(place.y));
-        if (x < 0 || y < 0 || x >= near_.width || y >= near_.height) return nullptr;
-        const std::int32_t point = near_.at(x, y);
-        return point == kNone ? nullptr : &points_[static_cast<std::size_t>(point)];
+    const Point* near(int x, int y) const {
+        return near_.at(x, y) == kNone ? nullptr : &points_[near_.at(x, y)];
     }
 
-    void add(const Point& point, float radius) {
-        const auto index = static_cast<std::int32_t>(points_.size());
-        points_.push_back(point);
-        const auto first = [](float v) { return std::max(static_cast<int>(std::ceil(v)), 0); };
-        const auto last = [](float v, int size) {
-            return std::min(static_cast<int>(std::floor(v)), size - 1);
-        };
-        for (int y = first(point.at.y - radius); y <= last(point.at.y + radius, near_.height); ++y)
-            for (int x = first(point.at.x - radius); x <= last(point.at.x + radius, near_.width); ++x) {
-                const glm::vec2 pixel(x, y);
-                const float distance = glm::distance(pixel, point.at);
-                std::int32_t& here = near_.at(x, y);
-                if (distance > radius) continue;
-                if (here == kNone ||
-                    distance < glm::distance(pixel, points_[static_cast<std::size_t>(here)].at))
-                    here = index;
-            }
+    void add(const std::vector<TracePoint>& line) {
+        for (std::size_t i = 0; i < line.size(); ++i) {
+            const glm::vec2 way = line[std::min(i + 1, line.size() - 1)].at - line[i > 0 ? i - 1 : 0].at;
+            const float length = glm::length(way);
+            add({line[i].at, length > 0 ? way / length : glm::vec2(1, 0)});
+        }
     }
 
  private:
-    static constexpr std::int32_t kNone = -1;
-    Grid<std::int32_t> near_;
+    static constexpr int kNone = -1;
+
+    void add(const Point& point) {
+        points_.push_back(point);
+        const auto first = [&](float v) { return std::max(static_cast<int>(v - radius_), 0); };
+        const auto end = [&](float v, int size) { return std::min(static_cast<int>(v + radius_) + 1, size); };
+        for (int y = first(point.at.y); y < end(point.at.y, near_.height); ++y)
+            for (int x = first(point.at.x); x < end(point.at.x, near_.width); ++x) {
+                int& nearest = near_.at(x, y);
+                const glm::vec2 pixel(x, y);
+                const float before = nearest == kNone ? radius_ : glm::distance(pixel, points_[nearest].at);
+                if (glm::distance(pixel, point.at) < before) nearest = static_cast<int>(points_.size()) - 1;
+            }
+    }
+
+    float radius_;
+    Grid<int> near_;
     std::vector<Point> points_;
 };
 
@@ -85,31 +84,30 @@ class Tracer {
  public:
     Tracer(const LineField& field, float sigma, const DrawnLines& drawn)
         : field_(field),
+          drawn_(drawn),
           step_(std::max(kStep * sigma, 1.0f)),
           gap_(static_cast<std::size_t>(std::lround(kGap * sigma / step_))),
-          drawn_(drawn),
           passed_(field.size().x, field.size().y) {}
 
     // Whether no line leads through the seed yet, nor was one tried.
     bool is_new(const LineField::Seed& seed) const {
-        return passed_.at(seed.x, seed.y) == 0 && !drawn_.near({seed.x, seed.y});
+        return passed_.at(seed.x, seed.y) == 0 && !drawn_.near(seed.x, seed.y);
     }
 
     Trace trace(const LineField::Seed& from) {
-        const glm::vec2 seed(from.x, from.y);
+        const glm::vec2 seed(from.x, from.y), normal = field_.normal_at(seed), along(-normal.y, normal.x);
         began_ = steps_ + 1;
-        const glm::vec2 normal = field_.normal_at(seed), along(-normal.y, normal.x);
-        Trace result;
-        std::vector<TracePoint> onward = go(seed, along, result.closed, result.joins_back);
-        if (!result.closed) {
+        Trace trace;
+        const std::vector<TracePoint> onward = go(seed, along, trace.closed, trace.joins_back);
+        if (!trace.closed) {
             bool closed = false;
-            std::vector<TracePoint> back = go(seed, -along, closed, result.joins_front);
-            result.points.assign(back.rbegin(), back.rend());
+            trace.points = go(seed, -along, closed, trace.joins_front);
+            std::ranges::reverse(trace.points);
         }
-        result.points.push_back(point_at(seed));
-        result.points.insert(result.points.end(), onward.begin(), onward.end());
-        if (result.closed) result.points.push_back(result.points.front());
-        return result;
+        trace.points.push_back(point_at(seed));
+        trace.points.insert(trace.points.end(), onward.begin(), onward.end());
+        if (trace.closed) trace.points.push_back(trace.points.front());
+        return trace;
     }
 
  private:
@@ -121,12 +119,9 @@ class Tracer {
     glm::vec2 onto_ridge(glm::vec2 place) const {
         constexpr float kReach = 0.7f, kMost = 0.3f;
         const glm::vec2 normal = field_.normal_at(place);
-        const float before = field_.contrast_at(place - kReach * normal), here = field_.contrast_at(place),
-                    after = field_.contrast_at(place + kReach * normal);
-        const float bend = before - 2 * here + after;
-        const float shift = bend < 0         ? 0.5f * kReach * (before - after) / bend
-                            : after > before ? kMost
-                                             : -kMost;
+        const float before = field_.contrast_at(place - kReach * normal), here = field_.contrast_at(place);
+        const float after = field_.contrast_at(place + kReach * normal), bend = before - 2 * here + after;
+        const float shift = bend < 0 ? 0.5f * kReach * (before - after) / bend : after - before;
         return place + std::clamp(shift, -kMost, kMost) * normal;
     }
 
@@ -135,66 +130,57 @@ class Tracer {
         return glm::dot(along, before) < 0 ? -along : along;
     }
 
-    std::vector<TracePoint> go(glm::vec2 seed, glm::vec2 along, bool& closed, bool& joins) {
-        constexpr float kSharpest = 0.6f, kSame = 0.8f, kTouch = 0.8f;
+    // From a seed on, until it closes, meets another line or finds nothing more.
+    std::vector<TracePoint> go(const glm::vec2 seed, const glm::vec2 first, bool& closed, bool& joins) {
+        constexpr float kSharpest = 0.6f, kSame = 0.8f;  // cosines
         constexpr std::size_t kNearSeed = 8;
         std::vector<TracePoint> points;
         std::size_t sound = 0;  // points up to the last one that stands out
-        glm::vec2 place = seed;
-        const glm::vec2 first = along;
+        glm::vec2 place = seed, along = first;
         while (points.size() - sound <= gap_) {
             const glm::vec2 halfway = direction_at(place + 0.5f * step_ * along, along);
             place = onto_ridge(place + step_ * halfway);
             const glm::vec2 turned = direction_at(place, halfway);
             if (glm::dot(turned, along) < kSharpest) break;
             along = turned;
-            if (!field_.inside(place)) {
-                joins = points.size() == sound;  // it goes on, beyond the picture
-                if (joins) points.push_back(point_at(place));
-                if (joins) ++sound;
-                break;
-            }
-            const bool away = points.size() > kNearSeed;
-            if (away && glm::distance(place, seed) < step_ && glm::dot(along, first) > kSame) {
-                closed = true;
-                return points;
-            }
-            if (was_here(place, away)) break;
+            const bool away = points.size() > kNearSeed, within = field_.inside(place);
+            closed = away && glm::distance(place, seed) < step_ && glm::dot(along, first) > kSame;
+            if (closed || (within && was_here(place, away))) break;
             points.push_back(point_at(place));
-            if (points.back().salience >= kGoOn) sound = points.size();
-            const DrawnLines::Point* const other = drawn_.near(place);
-            if (!other) continue;
-            if (glm::distance(other->at, place) < kTouch * step_) {
-                points.back().at = other->at;
-                sound = points.size();
-                joins = true;
-                break;
-            }
-            if (std::abs(glm::dot(other->along, along)) > kSame) break;
+            const DrawnLines::Point* const other =
+                within ? drawn_.near(rounded(place).x, rounded(place).y) : nullptr;
+            const bool touches = other && glm::distance(other->at, place) < step_;
+            if (touches) points.back().at = other->at;
+            joins =
+                touches || (!within && points.size() == sound + 1);  // it goes on beyond the picture's edge
+            if (joins || (within && points.back().salience >= kGoOn)) sound = points.size();
+            if (joins || !within || (other && std::abs(glm::dot(other->along, along)) > kSame)) break;
         }
-        points.resize(sound);
+        if (!closed) points.resize(sound);
         return points;
     }
 
-    // Marks a place as passed. Whether this trace, when it is away from its seed, has passed it before.
+    static glm::ivec2 rounded(glm::vec2 place) { return {std::lround(place.x), std::lround(place.y)}; }
+
+    // Marks a place inside as passed. Whether this trace, when it is away from its seed, has passed it
+    // before.
     bool was_here(glm::vec2 place, bool away) {
-        constexpr std::int32_t kJustNow = 8;
-        const int x = static_cast<int>(std::lround(place.x)), y = static_cast<int>(std::lround(place.y));
-        const std::int32_t last = passed_.at(x, y);
+        constexpr int kJustNow = 8;
+        const glm::ivec2 at = rounded(place);
+        const int last = passed_.at(at.x, at.y);
         if (away && last >= began_ && steps_ - last > kJustNow) return true;
         ++steps_;
-        for (int j = y - 1; j <= y + 1; ++j)
-            for (int i = x - 1; i <= x + 1; ++i)
-                if (i >= 0 && j >= 0 && i < passed_.width && j < passed_.height) passed_.at(i, j) = steps_;
+        for (int y = at.y - 1; y <= at.y + 1; ++y)
+            for (int x = at.x - 1; x <= at.x + 1; ++x) passed_.at(x, y) = steps_;
         return false;
     }
 
     const LineField& field_;
-    float step_;
-    std::size_t gap_;  // steps that may lead through nothing
     const DrawnLines& drawn_;
-    Grid<std::int32_t> passed_;           // the step at which a trace was there last
-    std::int32_t steps_ = 0, began_ = 0;  // so far, and when this trace began
+    float step_;
+    std::size_t gap_;            // steps that may lead through nothing
+    Grid<int> passed_;           // the step at which a trace was there last
+    int steps_ = 0, began_ = 0;  // so far, and when this trace began
 };
 
 // Means of three, ends as they are, so many times.
@@ -247,40 +233,31 @@ float taper(float from_end) {
 }
 
 InkLine finished(const Trace& trace, float strength, const Grid<float>& picture, glm::dvec2 units_per_pixel) {
-    std::vector<glm::vec2> places;
-    std::vector<float> widths;
-    for (const TracePoint& point : trace.points) {
-        places.push_back(point.at);
-        widths.push_back(width_of(point.contrast, value_at(picture, point.at)));
-    }
-    smooth(places, 4, trace.closed);
-    smooth(widths, 20, trace.closed);
+    const std::size_t n = trace.points.size();
+    std::vector<glm::vec2> places(n);
+    std::vector<float> from_front(n);
+    InkLine line{std::vector<glm::dvec2>(n), std::vector<float>(n), strength};
     float phase = 0;
-    for (const TracePoint& point : trace.points) phase += point.phase;
-    InkLine line{{}, {}, strength, phase < kLight * static_cast<float>(trace.points.size())};
-    for (const glm::vec2 place : places) line.points.push_back((glm::dvec2(place) + 0.5) * units_per_pixel);
-    std::vector<float> from_front(places.size());
-    for (std::size_t i = 1; i < places.size(); ++i)
-        from_front[i] =
-            from_front[i - 1] + static_cast<float>(glm::distance(line.points[i - 1], line.points[i]));
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        float width = widths[i];
-        if (!trace.closed && !trace.joins_front) width *= taper(from_front[i]);
-        if (!trace.closed && !trace.joins_back) width *= taper(from_front.back() - from_front[i]);
-        line.widths.push_back(width);
+    for (std::size_t i = 0; i < n; ++i) {
+        places[i] = trace.points[i].at;
+        line.widths[i] = width_of(trace.points[i].contrast, value_at(picture, places[i]));
+        phase += trace.points[i].phase;
+    }
+    line.light = phase < kLight * static_cast<float>(n);
+    smooth(places, 4, trace.closed);
+    smooth(line.widths, 20, trace.closed);
+    for (std::size_t i = 0; i < n; ++i) {
+        line.points[i] = (glm::dvec2(places[i]) + 0.5) * units_per_pixel;
+        if (i > 0)
+            from_front[i] =
+                from_front[i - 1] + static_cast<float>(glm::distance(line.points[i - 1], line.points[i]));
+    }
+    for (std::size_t i = 0; i < n && !trace.closed; ++i) {
+        if (!trace.joins_front) line.widths[i] *= taper(from_front[i]);
+        if (!trace.joins_back) line.widths[i] *= taper(from_front.back() - from_front[i]);
     }
     simplify(line.points, line.widths, kTolerance);
     return line;
-}
-
-void draw(const Trace& trace, float radius, DrawnLines& drawn) {
-    const std::vector<TracePoint>& points = trace.points;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const glm::vec2 before = points[i > 0 ? i - 1 : 0].at;
-        const glm::vec2 after = points[std::min(i + 1, points.size() - 1)].at;
-        const float length = glm::distance(before, after);
-        drawn.add({points[i].at, length > 0 ? (after - before) / length : glm::vec2(1, 0)}, radius);
-    }
 }
 
 }  // namespace
@@ -288,29 +265,29 @@ void draw(const Trace& trace, float radius, DrawnLines& drawn) {
 std::vector<InkLine> find_lines(const Grid<float>& light) {
     std::vector<InkLine> lines;
     if (light.width < 3 || light.height < 3) return lines;
-    const Grid<float> picture = encoded_lightness(light, kLongestSide);
+    const Grid<float> picture = encoded_lightness(light);
     const auto longer_side = static_cast<float>(std::max(picture.width, picture.height));
     const glm::dvec2 units_per_pixel =
         glm::dvec2(double(light.width) / picture.width, double(light.height) / picture.height) /
         double(std::max(light.width, light.height));
-    const float fine = std::max(static_cast<float>(kFineScale) * longer_side, kLeastScale);
+    const float fine = std::max(kFineScale * longer_side, kLeastScale);
 
     std::vector<Trace> traces;
     // On a picture that is so many times smaller.
     const auto trace_all = [&](const Grid<float>& smaller, float sigma, float times) {
-        DrawnLines drawn(smaller.width, smaller.height);
+        const LineField field(smaller, sigma);
+        DrawnLines drawn(field.size(), kOneLine * sigma);
         for (Trace trace : traces) {
             for (TracePoint& point : trace.points) point.at = (point.at + 0.5f) / times - 0.5f;
-            draw(trace, kOneLine * sigma, drawn);
+            drawn.add(trace.points);
         }
-        const LineField field(smaller, sigma);
         Tracer tracer(field, sigma, drawn);
         for (const LineField::Seed& seed : field.seeds(kSeed)) {
             if (!tracer.is_new(seed)) continue;
             Trace trace = tracer.trace(seed);
             const float strength = trace.points.size() < 2 ? 0 : strength_of(trace, longer_side / times);
             if (strength < kWeakest) continue;
-            draw(trace, kOneLine * sigma, drawn);
+            drawn.add(trace.points);
             for (TracePoint& point : trace.points) point.at = (point.at + 0.5f) * times - 0.5f;
             lines.push_back(finished(trace, strength, picture, units_per_pixel));
             traces.push_back(std::move(trace));

@@ -73,7 +73,7 @@ double distance_to(const std::vector<InkLine>& lines, glm::dvec2 from) {
 double scene(double x, double y) {
     if (std::hypot(x - 90, y - 70) < 40) return 0.25;
     if (std::hypot(x - 210, y - 160) < 55) return 0.9 - 0.2 * std::sin(x * 0.05);
-    if (std::abs(x - 150 - 0.3 * y) < 2) return 0.1;
+    if (std::abs(x - 270 - 0.05 * y) < 0.8) return 0.1;
     return 0.6 + 0.05 * std::sin(x * 0.02) + 0.05 * std::cos(y * 0.03);
 }
 
