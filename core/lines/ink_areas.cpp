@@ -4,12 +4,11 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <glm/geometric.hpp>
 #include <span>
+#include <utility>
 
 #include "core/image/blur.h"
-#include "core/lines/curve.h"
 #include "core/lines/line_field.h"
 
 namespace dapple {
@@ -17,78 +16,53 @@ namespace dapple {
 namespace {
 
 constexpr double kSpeck = 0.015;  // side of a square of paper that is filled
-constexpr double kRingTolerance = 1e-4;
 
 using Ring = std::vector<glm::dvec2>;
 
-// Where the values cross a level, as closed rings with the greater ones on the right of their way as it is
-// seen: marching squares, straight between neighbours. Nothing is above the level outside, where rings run
-// along the grid's edge. In pixels from the upper left corner.
-class LevelRings {
- public:
-    LevelRings(const Grid<float>& grid, float level)
-        : grid_(grid),
-          level_(level),
-          columns_(grid.width + 2),
-          next_(2 * columns_ * (grid.height + 2), kNone) {
-        for (int y = 0; y <= grid.height; ++y)
-            for (int x = 0; x <= grid.width; ++x) join_in_cell(x, y);
-    }
-
-    std::vector<Ring> rings() {
-        std::vector<Ring> all;
-        for (std::int32_t start = 0; start < static_cast<std::int32_t>(next_.size()); ++start) {
-            if (next_[start] == kNone) continue;
-            Ring& ring = all.emplace_back();
-            for (std::int32_t at = start; at != kNone;) {
-                ring.push_back(crossing(at));
-                const std::int32_t to = next_[at];
-                next_[at] = kNone;
-                at = to;
+// Where the values cross 0.5, as rings that lead clockwise, as it is seen, round greater ones: marching
+// squares, straight between neighbours. Nothing is greater outside, where rings run along the grid's edge. In
+// pixels from the upper left corner.
+std::vector<Ring> outlines(const Grid<float>& grid) {
+    constexpr int kNone = -1;
+    // One pixel more on each side than the grid has.
+    const auto value = [&](int x, int y) {
+        const bool beyond = x == 0 || y == 0 || x > grid.width || y > grid.height;
+        return beyond ? 0.4999f : grid.at(x - 1, y - 1);
+    };
+    // Of the ways between neighbours, to the right even numbers and down odd ones: the one that is next on a
+    // ring. Within four neighbours it leads from where values fall, clockwise, to where they rise; of two by
+    // their mean.
+    const int columns = grid.width + 2;
+    std::vector<int> next(2 * static_cast<std::size_t>(columns) * (grid.height + 2), kNone);
+    for (int y = 0; y <= grid.height; ++y)
+        for (int x = 0; x <= grid.width; ++x) {
+            const std::array<float, 4> v{value(x, y), value(x + 1, y), value(x + 1, y + 1), value(x, y + 1)};
+            const int here = 2 * (y * columns + x);
+            const std::array<int, 4> ways{here, here + 3, here + 2 * columns, here + 1};
+            const int step = v[0] + v[1] + v[2] + v[3] >= 2 ? 1 : 3;
+            for (int i = 0; i < 4; ++i) {
+                if (!(v[i] >= 0.5f && v[(i + 1) % 4] < 0.5f)) continue;
+                int j = (i + step) % 4;
+                while (!(v[j] < 0.5f && v[(j + 1) % 4] >= 0.5f)) j = (j + step) % 4;
+                next[ways[i]] = ways[j];
             }
         }
-        return all;
-    }
-
- private:
-    static constexpr std::int32_t kNone = -1;
-
-    // One pixel more on each side than the grid has.
-    float value(int x, int y) const {
-        const bool outside = x == 0 || y == 0 || x > grid_.width || y > grid_.height;
-        return outside ? level_ - 1e-4f : grid_.at(x - 1, y - 1);
-    }
-
-    // Of four neighbours, clockwise. A way leads from the edge on which the values fall to one on which they
-    // rise; which of two goes by their mean.
-    void join_in_cell(int x, int y) {
-        const std::array<float, 4> v{value(x, y), value(x + 1, y), value(x + 1, y + 1), value(x, y + 1)};
-        const int here = 2 * (y * columns_ + x);
-        const std::array<int, 4> edges{here, here + 3, here + 2 * columns_, here + 1};
-        const bool inside = (v[0] + v[1] + v[2] + v[3]) / 4 >= level_;
-        for (int i = 0; i < 4; ++i) {
-            if (!(v[i] >= level_ && v[(i + 1) % 4] < level_)) continue;
-            int j = i;
-            do j = (j + (inside ? 1 : 3)) % 4;
-            while (!(v[j] < level_ && v[(j + 1) % 4] >= level_));
-            next_[edges[i]] = edges[j];
-        }
-    }
-
-    // Edges to the right have even numbers, those down odd ones.
-    glm::dvec2 crossing(std::int32_t edge) const {
-        const int x = edge / 2 % columns_, y = edge / 2 / columns_, down = edge % 2;
-        const double from = value(x, y), to = value(x + 1 - down, y + down);
-        const double part = (level_ - from) / (to - from);
+    const auto crossing = [&](int way) {
+        const int x = way / 2 % columns, y = way / 2 / columns, down = way % 2;
+        const float from = value(x, y), to = value(x + 1 - down, y + down),
+                    part = (0.5f - from) / (to - from);
         const glm::dvec2 place(x - 0.5 + (down ? 0 : part), y - 0.5 + (down ? part : 0));
-        return glm::clamp(place, glm::dvec2(0), glm::dvec2(grid_.width, grid_.height));
+        return glm::clamp(place, glm::dvec2(0), glm::dvec2(grid.width, grid.height));
+    };
+    std::vector<Ring> rings;
+    for (std::size_t start = 0; start < next.size(); ++start) {
+        if (next[start] == kNone) continue;
+        Ring& ring = rings.emplace_back();
+        for (int way = static_cast<int>(start); way != kNone; way = std::exchange(next[way], kNone))
+            ring.push_back(crossing(way));
     }
-
-    const Grid<float>& grid_;
-    float level_;
-    int columns_;
-    std::vector<std::int32_t> next_;
-};
+    return rings;
+}
 
 // Below 0 for holes.
 double area_of(const Ring& ring) {
@@ -167,9 +141,14 @@ std::vector<InkArea> find_blacks(const Grid<float>& light, double darkness, doub
     constexpr double kBlur = 1.7, kWider = 5, kOpening = 1.3, kNear = 2;  // in sigmas of fine lines
     constexpr float kSharper = 2, kSoft = 0.06f;
     if (light.empty()) return {};
-    const Grid<float> picture = encoded_lightness(light);
-    const double longer_side = std::max(picture.width, picture.height);
-    const double sigma = std::max<double>(kFineScale * longer_side, kLeastScale);
+    const int longer_side = std::max(light.width, light.height);
+    Grid<float> picture = encoded_lightness(light);
+    double pixel = double(reduction(light)) / longer_side;
+    if (pixel < kFineScale / 1.5) {  // outlines are smooth, and half the pixels will do
+        picture = halved(picture);
+        pixel *= 2;
+    }
+    const double sigma = std::max<double>(kFineScale / pixel, kLeastScale);
     const Grid<float> smooth = blurred(picture, kBlur * sigma), wide = blurred(picture, kWider * sigma);
     const auto dark = static_cast<float>(1 - darkness);
     const auto ink_of = [&](float encoded) {
@@ -189,18 +168,15 @@ std::vector<InkArea> find_blacks(const Grid<float>& light, double darkness, doub
     // What is narrower than the Gaussian reaches goes, be it ink or paper.
     ink = blurred(std::move(ink), kOpening * sigma);
 
-    const glm::dvec2 units =
-        glm::dvec2(double(light.width) / picture.width, double(light.height) / picture.height) /
-        double(std::max(light.width, light.height));
+    const glm::dvec2 corner = glm::dvec2(light.width, light.height) / double(longer_side);
     std::vector<InkArea> areas;
     std::vector<Ring> holes;
-    for (Ring& ring : LevelRings(ink, 0.5f).rings()) {
-        for (glm::dvec2& point : ring) point *= units;
-        ring.push_back(ring.front());
+    for (Ring& ring : outlines(ink)) {
+        for (glm::dvec2& point : ring) point = glm::min(point * pixel, corner);
         const double area = area_of(ring);
         if (area < 0 ? -area < kSpeck * kSpeck : area < least_size * least_size) continue;
         std::vector<float> none;
-        simplify(ring, none, kRingTolerance);
+        simplify(ring, none);
         if (ring.size() < 4) continue;
         if (area < 0)
             holes.push_back(std::move(ring));
@@ -223,38 +199,36 @@ std::vector<InkArea> find_blacks(const Grid<float>& light, double darkness, doub
 std::vector<InkLine> outside(const std::vector<InkLine>& lines, const std::vector<InkArea>& areas,
                              double margin) {
     constexpr int kSide = 1024;
-    constexpr double kStep = 1.0 / kSide, kShortest = 0.006;
+    constexpr std::size_t kShortest = 7;  // points, a pixel apart or less
     const Grid<float> covered = coverage({}, areas, margin, kSide, kSide);
-    const auto is_outside = [&](glm::dvec2 point) {
-        const int x = static_cast<int>(point.x * kSide), y = static_cast<int>(point.y * kSide);
-        return x >= covered.width || y >= covered.height || covered.at(x, y) < 0.5f;
-    };
+    const auto pixel = [](double v) { return std::clamp(static_cast<int>(v * kSide), 0, kSide - 1); };
     std::vector<InkLine> pieces;
     for (const InkLine& line : lines) {
-        InkLine piece{{}, {}, line.strength, line.light};
+        InkLine piece = line;
         const auto end_piece = [&] {
-            if (piece.points.size() > 1 && (static_cast<double>(piece.points.size()) > kShortest / kStep)) {
-                simplify(piece.points, piece.widths, kRingTolerance / 10);
+            if (piece.points.size() >= kShortest) {
+                simplify(piece.points, piece.widths);
                 pieces.push_back(piece);
             }
             piece.points.clear();
             piece.widths.clear();
         };
-        for (std::size_t i = 0; i < line.points.size(); ++i) {
-            const std::size_t before = i > 0 ? i - 1 : 0;
-            const double length = glm::distance(line.points[before], line.points[i]);
-            const int steps = std::max(1, static_cast<int>(std::ceil(length / kStep)));
-            for (int k = 1; k <= steps; ++k) {
-                const double t = double(k) / steps;
-                const glm::dvec2 point = line.points[before] + (line.points[i] - line.points[before]) * t;
-                if (!is_outside(point)) {
-                    end_piece();
-                    continue;
-                }
-                piece.points.push_back(k == steps ? line.points[i] : point);
-                piece.widths.push_back(line.widths[before] +
-                                       (line.widths[i] - line.widths[before]) * static_cast<float>(t));
+        const auto go_on = [&](glm::dvec2 point, float width) {
+            if (covered.at(pixel(point.x), pixel(point.y)) >= 0.5f) return end_piece();
+            piece.points.push_back(point);
+            piece.widths.push_back(width);
+        };
+        piece.points.clear();
+        piece.widths.clear();
+        go_on(line.points[0], line.widths[0]);
+        for (std::size_t i = 1; i < line.points.size(); ++i) {
+            const glm::dvec2 from = line.points[i - 1], way = line.points[i] - from;
+            const int steps = std::max(1, static_cast<int>(std::ceil(glm::length(way) * kSide)));
+            for (int k = 1; k < steps; ++k) {
+                const float t = static_cast<float>(k) / static_cast<float>(steps);
+                go_on(from + way * (double(k) / steps), line.widths[i - 1] * (1 - t) + line.widths[i] * t);
             }
+            go_on(line.points[i], line.widths[i]);
         }
         end_piece();
     }

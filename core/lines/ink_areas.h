@@ -11,8 +11,8 @@ namespace dapple {
 
 /// Places are in units of the picture's longer side, as those of InkLine are.
 struct InkArea {
-    /// Each closed, its last point its first, with a smooth outline (curve.h). The first is the outer one,
-    /// the others are holes in it.
+    /// Each closed, its last point its first, with a smooth outline, for smooth_curve(). The first is the
+    /// outer one, the others are holes in it.
     std::vector<std::vector<glm::dvec2>> rings;
 };
 

@@ -6,7 +6,6 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
-#include "core/lines/curve.h"
 #include "core/lines/line_field.h"
 #include "core/maths/portable_math.h"
 
@@ -98,14 +97,14 @@ class Tracer {
         const glm::vec2 seed(from.x, from.y), normal = field_.normal_at(seed), along(-normal.y, normal.x);
         began_ = steps_ + 1;
         Trace trace;
-        const std::vector<TracePoint> onward = go(seed, along, trace.closed, trace.joins_back);
+        const std::vector<TracePoint> after = go(seed, along, trace.closed, trace.joins_back);
         if (!trace.closed) {
             bool closed = false;
             trace.points = go(seed, -along, closed, trace.joins_front);
             std::ranges::reverse(trace.points);
         }
         trace.points.push_back(point_at(seed));
-        trace.points.insert(trace.points.end(), onward.begin(), onward.end());
+        trace.points.insert(trace.points.end(), after.begin(), after.end());
         if (trace.closed) trace.points.push_back(trace.points.front());
         return trace;
     }
@@ -116,17 +115,17 @@ class Tracer {
     }
 
     // Moved across the flow towards where contrast is highest, by a parabola, and not far at once.
-    glm::vec2 onto_ridge(glm::vec2 place) const {
+    glm::vec2 onto_ridge(glm::vec2 place, glm::vec2 normal) const {
         constexpr float kReach = 0.7f, kMost = 0.3f;
-        const glm::vec2 normal = field_.normal_at(place);
         const float before = field_.contrast_at(place - kReach * normal), here = field_.contrast_at(place);
         const float after = field_.contrast_at(place + kReach * normal), bend = before - 2 * here + after;
         const float shift = bend < 0 ? 0.5f * kReach * (before - after) / bend : after - before;
         return place + std::clamp(shift, -kMost, kMost) * normal;
     }
 
-    glm::vec2 direction_at(glm::vec2 place, glm::vec2 before) const {
-        const glm::vec2 normal = field_.normal_at(place), along(-normal.y, normal.x);
+    // Along the flow, as before and not back.
+    static glm::vec2 onward(glm::vec2 normal, glm::vec2 before) {
+        const glm::vec2 along(-normal.y, normal.x);
         return glm::dot(along, before) < 0 ? -along : along;
     }
 
@@ -138,9 +137,10 @@ class Tracer {
         std::size_t sound = 0;  // points up to the last one that stands out
         glm::vec2 place = seed, along = first;
         while (points.size() - sound <= gap_) {
-            const glm::vec2 halfway = direction_at(place + 0.5f * step_ * along, along);
-            place = onto_ridge(place + step_ * halfway);
-            const glm::vec2 turned = direction_at(place, halfway);
+            const glm::vec2 halfway = onward(field_.normal_at(place + 0.5f * step_ * along), along);
+            const glm::vec2 ahead = place + step_ * halfway, normal = field_.normal_at(ahead);
+            const glm::vec2 turned = onward(normal, halfway);
+            place = onto_ridge(ahead, normal);
             if (glm::dot(turned, along) < kSharpest) break;
             along = turned;
             const bool away = points.size() > kNearSeed, within = field_.inside(place);
@@ -232,7 +232,7 @@ float taper(float from_end) {
     return kEnd + (1 - kEnd) * t * (2 - t);
 }
 
-InkLine finished(const Trace& trace, float strength, const Grid<float>& picture, glm::dvec2 units_per_pixel) {
+InkLine finished(const Trace& trace, float strength, const Grid<float>& picture, double units_per_pixel) {
     const std::size_t n = trace.points.size();
     std::vector<glm::vec2> places(n);
     std::vector<float> from_front(n);
@@ -256,7 +256,7 @@ InkLine finished(const Trace& trace, float strength, const Grid<float>& picture,
         if (!trace.joins_front) line.widths[i] *= taper(from_front[i]);
         if (!trace.joins_back) line.widths[i] *= taper(from_front.back() - from_front[i]);
     }
-    simplify(line.points, line.widths, kTolerance);
+    simplify(line.points, line.widths);
     return line;
 }
 
@@ -267,9 +267,7 @@ std::vector<InkLine> find_lines(const Grid<float>& light) {
     if (light.width < 3 || light.height < 3) return lines;
     const Grid<float> picture = encoded_lightness(light);
     const auto longer_side = static_cast<float>(std::max(picture.width, picture.height));
-    const glm::dvec2 units_per_pixel =
-        glm::dvec2(double(light.width) / picture.width, double(light.height) / picture.height) /
-        double(std::max(light.width, light.height));
+    const double units_per_pixel = double(reduction(light)) / std::max(light.width, light.height);
     const float fine = std::max(kFineScale * longer_side, kLeastScale);
 
     std::vector<Trace> traces;
@@ -298,6 +296,67 @@ std::vector<InkLine> find_lines(const Grid<float>& light) {
     std::ranges::stable_sort(lines,
                              [](const InkLine& a, const InkLine& b) { return a.strength > b.strength; });
     return lines;
+}
+
+void simplify(std::vector<glm::dvec2>& points, std::vector<float>& widths) {
+    const auto distance = [](glm::dvec2 point, glm::dvec2 a, glm::dvec2 b) {
+        const glm::dvec2 along = b - a;
+        const double square = glm::dot(along, along);
+        const double t = square > 0 ? std::clamp(glm::dot(point - a, along) / square, 0.0, 1.0) : 0;
+        return glm::distance(point, a + t * along);
+    };
+    std::vector<char> stays(points.size(), 0);
+    stays.front() = stays.back() = 1;
+    std::vector<std::pair<std::size_t, std::size_t>> open{{0, points.size() - 1}};
+    while (!open.empty()) {
+        const auto [from, to] = open.back();
+        open.pop_back();
+        double most = kTolerance;
+        std::size_t worst = from;
+        for (std::size_t k = from + 1; k < to; ++k) {
+            const double missed = distance(points[k], points[from], points[to]);
+            if (missed > most) {
+                most = missed;
+                worst = k;
+            }
+        }
+        if (worst == from) continue;
+        stays[worst] = 1;
+        open.push_back({from, worst});
+        open.push_back({worst, to});
+    }
+    std::size_t n = 0;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        if (!stays[k]) continue;
+        points[n] = points[k];
+        if (!widths.empty()) widths[n] = widths[k];
+        ++n;
+    }
+    points.resize(n);
+    if (!widths.empty()) widths.resize(n);
+}
+
+std::vector<Cubic> smooth_curve(std::span<const glm::dvec2> points) {
+    constexpr double kCorner = 0.5;  // cosine of a turn
+    const std::size_t last = points.size() - 1;
+    const bool closed = last > 2 && points.front() == points.back();
+    // The direction at a point, into and out of which segments lead: that of the parabola through it and its
+    // neighbours. At a corner and at an end, that of the segment.
+    const auto direction = [&](std::size_t at, bool out) {
+        const bool end = (at == 0 || at == last) && !closed;
+        const glm::dvec2 before = points[at] - points[at > 0 ? at - 1 : closed ? last - 1 : 0];
+        const glm::dvec2 after = points[at < last ? at + 1 : closed ? 1 : last] - points[at];
+        const double a = glm::length(before), b = glm::length(after);
+        if (end || glm::dot(before, after) < kCorner * a * b) return out ? after / b : before / a;
+        return glm::normalize(before * (b / a) + after * (a / b));
+    };
+    std::vector<Cubic> curves;
+    for (std::size_t i = 0; i < last; ++i) {
+        const double reach = glm::distance(points[i], points[i + 1]) / 3;
+        curves.push_back({points[i], points[i] + reach * direction(i, true),
+                          points[i + 1] - reach * direction(i + 1, false), points[i + 1]});
+    }
+    return curves;
 }
 
 }  // namespace dapple

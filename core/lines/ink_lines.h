@@ -2,7 +2,9 @@
 // The lines that someone who draws with pen and ink would take out of a photograph: contours, each one once,
 // rather than texture.
 
+#include <array>
 #include <glm/vec2.hpp>
+#include <span>
 #include <vector>
 
 #include "core/image/grid.h"
@@ -30,5 +32,17 @@ inline constexpr float kHairWidth = 0.0009f, kBoldWidth = 0.0045f;
 /// on, down to where they no longer stand out (hysteresis, Canny 1986). Contrast that stands out and length
 /// make the strength. The picture is reduced to 640..1,280 pixels along its longer side, if it has more.
 std::vector<InkLine> find_lines(const Grid<float>& light);
+
+/// Leaves out points by which the line between the others moves 1/10,000 or less, and what belongs to them in
+/// `widths`, if that is not empty (Douglas & Peucker 1973). The first and the last stay.
+void simplify(std::vector<glm::dvec2>& points, std::vector<float>& widths);
+
+/// A cubic Bezier curve: from its first point to its last, the others its handles.
+using Cubic = std::array<glm::dvec2, 4>;
+
+/// A curve from each point to the next, which go on in the same direction (Catmull & Rom 1974, for unequal
+/// distances); closed, if the last point is the first. Where a line turns by over 60 degrees it has a corner.
+/// Needs two points or more, no two alike beside each other.
+std::vector<Cubic> smooth_curve(std::span<const glm::dvec2> points);
 
 }  // namespace dapple

@@ -64,12 +64,12 @@ struct ThreeRows {
 }  // namespace
 
 Grid<float> encoded_lightness(const Grid<float>& light) {
-    const int side = std::max(1, (std::max(light.width, light.height) + kLongestSide - 1) / kLongestSide);
-    Grid<float> encoded = block_means({light.width, light.height}, side, [&](int y, float* space) {
-        std::transform(light.row(y), light.row(y) + light.width, space,
-                       [](float v) { return v > 0 ? std::min(v, 1.0f) : 0.0f; });
-        return space;
-    });
+    Grid<float> encoded =
+        block_means({light.width, light.height}, reduction(light), [&](int y, float* space) {
+            std::transform(light.row(y), light.row(y) + light.width, space,
+                           [](float v) { return v > 0 ? std::min(v, 1.0f) : 0.0f; });
+            return space;
+        });
     for (float& v : encoded.values) v = static_cast<float>(srgb_byte(v)) / 255;
     return encoded;
 }

@@ -2,6 +2,7 @@
 // Where a picture has edges and lines, how strong they are, and which way they run: what lines are traced on.
 // Places are in pixels, whole numbers at their centres.
 
+#include <algorithm>
 #include <glm/vec2.hpp>
 #include <vector>
 
@@ -13,8 +14,12 @@ inline constexpr int kLongestSide = 1280;        // pixels of a picture in which
 inline constexpr float kFineScale = 1 / 500.0f;  // how wide fine lines are, of its longer side
 inline constexpr float kLeastScale = 0.8f;       // and in pixels
 
-/// The sRGB-encoded values, 0..1, of a picture of linear light (clamped, NaN black), reduced by whole blocks
-/// of pixels until its longer side is at most kLongestSide.
+/// How many of its pixels, along a side, become one.
+inline int reduction(const Grid<float>& light) {
+    return std::max(1, (std::max(light.width, light.height) + kLongestSide - 1) / kLongestSide);
+}
+
+/// The sRGB-encoded values, 0..1, of a picture of linear light (clamped, NaN black), reduced.
 Grid<float> encoded_lightness(const Grid<float>& light);
 
 /// A picture of a fourth of the pixels: means of two by two.
