@@ -244,6 +244,8 @@ InkLine finished(const Trace& trace, float strength, const Grid<float>& picture,
         phase += trace.points[i].phase;
     }
     line.light = phase < kLight * static_cast<float>(n);
+    if (line.light)
+        for (float& width : line.widths) width /= 2;  // paper looks wider than ink
     smooth(places, 4, trace.closed);
     smooth(line.widths, 20, trace.closed);
     for (std::size_t i = 0; i < n; ++i) {

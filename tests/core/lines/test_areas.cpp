@@ -86,9 +86,9 @@ TEST_CASE("a ring has one hole, with an island that is an area of its own") {
     const InkArea &island = areas[0], &ring = areas[1];
     CHECK(island.rings.size() == 1);
     REQUIRE(ring.rings.size() == 2);
-    const double pixel = 1.0 / (kSize * kSize);
-    CHECK(area_of(island) == doctest::Approx(std::numbers::pi * 40 * 40 * pixel).epsilon(0.04));
-    CHECK(area_of(ring) == doctest::Approx(std::numbers::pi * (160 * 160 - 90 * 90) * pixel).epsilon(0.02));
+    const double pixels = kSize * kSize;
+    CHECK(area_of(island) * pixels == doctest::Approx(std::numbers::pi * 40 * 40).epsilon(0.04));
+    CHECK(area_of(ring) * pixels == doctest::Approx(std::numbers::pi * (160 * 160 - 90 * 90)).epsilon(0.02));
 }
 
 TEST_CASE("lines of light stay in what is black, thin black ones and grey are no areas") {
@@ -116,7 +116,7 @@ TEST_CASE("what is black to the edge of the picture reaches it") {
         const double longer = std::max(width, height);
         const auto areas = find_blacks(Grid<float>(width, height, 0.0f), 0.9, 0);
         REQUIRE(areas.size() == 1);
-        CHECK(area_of(areas[0]) == doctest::Approx(width * height / (longer * longer)).epsilon(0.01));
+        CHECK(area_of(areas[0]) * longer * longer == doctest::Approx(width * height).epsilon(0.01));
         CHECK(find_blacks(Grid<float>(width, height, 1.0f), 0.9, 0).empty());
         CHECK(sum_of(coverage({}, areas, 0, width, height)) == doctest::Approx(width * height).epsilon(0.01));
     }
@@ -128,32 +128,28 @@ TEST_CASE("what is black to the edge of the picture reaches it") {
 
 TEST_CASE("coverage is what geometry says, widened by the gap") {
     const auto covered = [](const std::vector<InkLine>& lines, const std::vector<InkArea>& areas,
-                            double gap) {
-        return sum_of(coverage(lines, areas, gap, 400, 300)) / (400.0 * 400);
-    };
+                            double gap) { return sum_of(coverage(lines, areas, gap, 400, 300)); };
+    const auto pixels = [](double units) { return doctest::Approx(units * 400 * 400); };
     const InkArea box = rectangle(0.2, 0.1, 0.5, 0.4033);
-    CHECK(covered({}, {box}, 0) == doctest::Approx(0.3 * 0.3033).epsilon(0.001));
+    CHECK(covered({}, {box}, 0) == pixels(0.3 * 0.3033).epsilon(0.001));
     const double gap = 0.03, round = std::numbers::pi * gap * gap;
-    CHECK(covered({}, {box}, gap) ==
-          doctest::Approx(0.3 * 0.3033 + 2 * (0.3 + 0.3033) * gap + round).epsilon(0.003));
+    CHECK(covered({}, {box}, gap) == pixels(0.3 * 0.3033 + 2 * (0.3 + 0.3033) * gap + round).epsilon(0.003));
     // A line with round ends, then one that is narrower than a pixel, then one that widens.
     const InkLine line{{{0.2, 0.3}, {0.6, 0.5}}, {0.02f, 0.02f}, 1};
     const double length = std::hypot(0.4, 0.2);
-    CHECK(covered({line}, {}, 0) ==
-          doctest::Approx(length * 0.02 + std::numbers::pi * 0.01 * 0.01).epsilon(0.01));
-    CHECK(covered({line}, {}, 0.01) ==
-          doctest::Approx(length * 0.04 + std::numbers::pi * 0.02 * 0.02).epsilon(0.01));
+    CHECK(covered({line}, {}, 0) == pixels(length * 0.02 + std::numbers::pi * 0.01 * 0.01).epsilon(0.01));
+    CHECK(covered({line}, {}, 0.01) == pixels(length * 0.04 + std::numbers::pi * 0.02 * 0.02).epsilon(0.01));
     const InkLine hair{{{0.2, 0.30125}, {0.6, 0.30125}}, {0.001f, 0.001f}, 1};
-    CHECK(covered({hair}, {}, 0) == doctest::Approx(0.4 * 0.001).epsilon(0.03));
+    CHECK(covered({hair}, {}, 0) == pixels(0.4 * 0.001).epsilon(0.03));
     const InkLine wedge{{{0.2, 0.3}, {0.6, 0.3}}, {0.01f, 0.05f}, 1};
     CHECK(covered({wedge}, {}, 0) ==
-          doctest::Approx(0.4 * 0.03 + std::numbers::pi * (0.005 * 0.005 + 0.025 * 0.025) / 2).epsilon(0.02));
+          pixels(0.4 * 0.03 + std::numbers::pi * (0.005 * 0.005 + 0.025 * 0.025) / 2).epsilon(0.02));
     // A hole is paper, what overlaps counts once, and what lies outside does not.
     InkArea frame = box;
     frame.rings.push_back({{0.3, 0.2}, {0.3, 0.3}, {0.4, 0.3}, {0.4, 0.2}, {0.3, 0.2}});
-    CHECK(covered({}, {frame}, 0) == doctest::Approx(0.3 * 0.3033 - 0.01).epsilon(0.001));
-    CHECK(covered({}, {box, box}, 0) == doctest::Approx(0.3 * 0.3033).epsilon(0.001));
-    CHECK(covered({}, {rectangle(-5, -5, 0.1, 5)}, 0) == doctest::Approx(0.1 * 0.75).epsilon(0.001));
+    CHECK(covered({}, {frame}, 0) == pixels(0.3 * 0.3033 - 0.01).epsilon(0.001));
+    CHECK(covered({}, {box, box}, 0) == pixels(0.3 * 0.3033).epsilon(0.001));
+    CHECK(covered({}, {rectangle(-5, -5, 0.1, 5)}, 0) == pixels(0.1 * 0.75).epsilon(0.001));
     CHECK(covered({InkLine{{{-3, -3}, {-2, -2}}, {0.1f, 0.1f}, 1}}, {}, 0.1) == 0);
 }
 

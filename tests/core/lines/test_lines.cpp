@@ -9,6 +9,7 @@
 #include <limits>
 #include <numbers>
 
+#include "core/image/blur.h"
 #include "core/image/tone.h"
 #include "core/lines/ink_lines.h"
 
@@ -234,13 +235,35 @@ TEST_CASE("strengths are from 0.05 to 1, the strongest first, and a stronger edg
 }
 
 TEST_CASE("free ends are tapered, ends at the picture's edge are not") {
-    const auto lines = find_lines(picture_of(
-        400, 400, [](double x, double y) { return std::abs(x - 200) < 0.8 && y > 150 ? 0.1 : 0.8; }));
-    REQUIRE(lines.size() == 1);
-    const bool downwards = lines[0].points.front().y < lines[0].points.back().y;
-    const float free = downwards ? lines[0].widths.front() : lines[0].widths.back();
-    const float at_edge = downwards ? lines[0].widths.back() : lines[0].widths.front();
-    CHECK(free < 0.5f * at_edge);
+    for (const bool from_below : {false, true}) {
+        const auto lines = find_lines(picture_of(400, 400, [&](double x, double y) {
+            return std::abs(x - 200) < 0.8 && (from_below ? y > 150 : y < 250) ? 0.1 : 0.8;
+        }));
+        REQUIRE(lines.size() == 1);
+        const bool free_first = (lines[0].points.front().y < lines[0].points.back().y) == from_below;
+        const float free = free_first ? lines[0].widths.front() : lines[0].widths.back();
+        const float at_edge = free_first ? lines[0].widths.back() : lines[0].widths.front();
+        CHECK(free < 0.5f * at_edge);
+        CHECK(at_edge == std::ranges::max(lines[0].widths));
+    }
+}
+
+TEST_CASE("texture has no strong lines, a contour of the same contrast has one, also within it") {
+    // Pebbles of a few pixels, far rougher than noise.
+    std::uint32_t state = 11;
+    Grid<float> rough(500, 500);
+    for (float& v : rough.values) v = static_cast<float>(noise(state));
+    rough = blurred(std::move(rough), 1.5);
+    const auto strongest = [&](double disc) {
+        const auto lines = find_lines(picture_of(500, 500, [&](double x, double y) {
+            const double grain =
+                0.4 * static_cast<double>(rough.at(static_cast<int>(x), static_cast<int>(y)));
+            return 0.5 + grain + (std::hypot(x - 250, y - 250) < 150 ? disc : 0);
+        }));
+        return lines.empty() ? 0.0f : lines[0].strength;
+    };
+    CHECK(strongest(0) < 0.5f);
+    CHECK(strongest(0.4) > 0.6f);
 }
 
 TEST_CASE("lines are the same with one thread and with two, and in any picture there is a result") {
