@@ -301,11 +301,15 @@ std::vector<InkLine> find_lines(const Grid<float>& light) {
 }
 
 void simplify(std::vector<glm::dvec2>& points, std::vector<float>& widths) {
-    const auto distance = [](glm::dvec2 point, glm::dvec2 a, glm::dvec2 b) {
-        const glm::dvec2 along = b - a;
+    // How far an edge of the line moves if there were nothing between two of its points.
+    const auto moved = [&](std::size_t k, std::size_t from, std::size_t to) {
+        const glm::dvec2 along = points[to] - points[from], off = points[k] - points[from];
         const double square = glm::dot(along, along);
-        const double t = square > 0 ? std::clamp(glm::dot(point - a, along) / square, 0.0, 1.0) : 0;
-        return glm::distance(point, a + t * along);
+        const double t = square > 0 ? std::clamp(glm::dot(off, along) / square, 0.0, 1.0) : 0;
+        const double width = widths.empty() ? 0
+                                            : static_cast<double>(widths[k] - widths[from]) -
+                                                  t * static_cast<double>(widths[to] - widths[from]);
+        return glm::distance(off, t * along) + std::abs(width) / 2;
     };
     std::vector<char> stays(points.size(), 0);
     stays.front() = stays.back() = 1;
@@ -316,7 +320,7 @@ void simplify(std::vector<glm::dvec2>& points, std::vector<float>& widths) {
         double most = kTolerance;
         std::size_t worst = from;
         for (std::size_t k = from + 1; k < to; ++k) {
-            const double missed = distance(points[k], points[from], points[to]);
+            const double missed = moved(k, from, to);
             if (missed > most) {
                 most = missed;
                 worst = k;

@@ -33,10 +33,12 @@ double angle_between(glm::dvec2 a, glm::dvec2 b) {
 
 TEST_CASE("a line with fewer points stays within the tolerance, and keeps widths with points") {
     std::vector<glm::dvec2> points;
-    std::vector<float> widths;
+    std::vector<float> widths;  // next to nothing, and which point it is
+    constexpr float kOne = 1.0f / (1 << 30);
+    const auto place = [](float width) { return static_cast<std::size_t>(width / kOne); };
     for (int i = 0; i <= 1000; ++i) {
         points.push_back({i * 0.001, 0.1 * std::sin(i * 0.01)});
-        widths.push_back(static_cast<float>(i));
+        widths.push_back(static_cast<float>(i) * kOne);
     }
     const auto all = points;
     simplify(points, widths);
@@ -44,13 +46,18 @@ TEST_CASE("a line with fewer points stays within the tolerance, and keeps widths
     REQUIRE(points.size() == widths.size());
     CHECK(points.front() == all.front());
     CHECK(points.back() == all.back());
-    for (std::size_t i = 0; i < points.size(); ++i)
-        CHECK(points[i] == all[static_cast<std::size_t>(widths[i])]);
+    for (std::size_t i = 0; i < points.size(); ++i) CHECK(points[i] == all[place(widths[i])]);
     for (std::size_t i = 1; i < points.size(); ++i)
-        for (auto k = static_cast<std::size_t>(widths[i - 1]); k < static_cast<std::size_t>(widths[i]); ++k) {
+        for (std::size_t k = place(widths[i - 1]); k < place(widths[i]); ++k) {
             const glm::dvec2 along = glm::normalize(points[i] - points[i - 1]), from = all[k] - points[i - 1];
             CHECK(std::abs(along.x * from.y - along.y * from.x) <= 1e-4);
         }
+    // A straight line that widens and narrows keeps the point where it is widest.
+    std::vector<glm::dvec2> straight{{0, 0}, {0.1, 0}, {0.2, 0}, {0.3, 0}, {0.4, 0}};
+    std::vector<float> swelling{0.001f, 0.002f, 0.003f, 0.002f, 0.001f};
+    simplify(straight, swelling);
+    CHECK(straight == std::vector<glm::dvec2>{{0, 0}, {0.2, 0}, {0.4, 0}});
+    CHECK(swelling == std::vector<float>{0.001f, 0.003f, 0.001f});
     std::vector<glm::dvec2> two{{0, 0}, {1, 1}};
     std::vector<float> none;
     simplify(two, none);
