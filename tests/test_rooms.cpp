@@ -71,6 +71,7 @@ TEST_CASE("each room of core knows only the rooms below it") {
         {"core/maths", {}},
         {"core/image", {}},
         {"core/text", {}},
+        {"core/lines", {"core/image"}},
         {"core/tile", {"core/text"}},
         {"core/placing", {"core/image", "core/text", "core/tile"}},
         {"core/relaxing", {"core/image", "core/placing"}},

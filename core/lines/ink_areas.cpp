@@ -139,7 +139,7 @@ void cover_area(Grid<float>& grid, const std::vector<Ring>& rings) {
 
 std::vector<InkArea> find_blacks(const Grid<float>& light, double darkness, double least_size) {
     constexpr double kBlur = 1.7, kWider = 5, kOpening = 1.3, kNear = 2;  // in sigmas of fine lines
-    constexpr float kSharper = 2, kSoft = 0.06f;
+    constexpr float kSharper = 4, kSoft = 0.06f;
     if (light.empty()) return {};
     const int longer_side = std::max(light.width, light.height);
     Grid<float> picture = encoded_lightness(light);

@@ -17,7 +17,7 @@ constexpr float kCoarser = 2.3f;                 // times the fine scale
 constexpr float kSeed = 0.035f, kGoOn = 0.012f;  // salience where a line begins, and where it ends
 constexpr float kGap = 7;                        // sigmas that a line may lead through nothing
 constexpr float kStep = 0.7f;                    // sigmas, but a pixel at least
-constexpr float kOneLine = 0.3f;                 // sigmas within which there are no two lines
+constexpr float kOneLine = 2.5f;                 // sigmas within which there are no two lines
 constexpr float kHalfLength = 0.01f;             // of the longer side: lines of that length count half
 constexpr float kBusyLength = 0.4f;              // more of it where hardly anything stands out
 constexpr float kHalfSalience = 0.025f;          // salience of long lines of middling strength
@@ -244,6 +244,8 @@ InkLine finished(const Trace& trace, float strength, const Grid<float>& picture,
         phase += trace.points[i].phase;
     }
     line.light = phase < kLight * static_cast<float>(n);
+    if (line.light)
+        for (float& width : line.widths) width /= 2;  // paper looks wider than ink
     smooth(places, 4, trace.closed);
     smooth(line.widths, 20, trace.closed);
     for (std::size_t i = 0; i < n; ++i) {
@@ -299,11 +301,15 @@ std::vector<InkLine> find_lines(const Grid<float>& light) {
 }
 
 void simplify(std::vector<glm::dvec2>& points, std::vector<float>& widths) {
-    const auto distance = [](glm::dvec2 point, glm::dvec2 a, glm::dvec2 b) {
-        const glm::dvec2 along = b - a;
+    // How far an edge of the line moves if there were nothing between two of its points.
+    const auto moved = [&](std::size_t k, std::size_t from, std::size_t to) {
+        const glm::dvec2 along = points[to] - points[from], off = points[k] - points[from];
         const double square = glm::dot(along, along);
-        const double t = square > 0 ? std::clamp(glm::dot(point - a, along) / square, 0.0, 1.0) : 0;
-        return glm::distance(point, a + t * along);
+        const double t = square > 0 ? std::clamp(glm::dot(off, along) / square, 0.0, 1.0) : 0;
+        const double width = widths.empty() ? 0
+                                            : static_cast<double>(widths[k] - widths[from]) -
+                                                  t * static_cast<double>(widths[to] - widths[from]);
+        return glm::distance(off, t * along) + std::abs(width) / 2;
     };
     std::vector<char> stays(points.size(), 0);
     stays.front() = stays.back() = 1;
@@ -314,7 +320,7 @@ void simplify(std::vector<glm::dvec2>& points, std::vector<float>& widths) {
         double most = kTolerance;
         std::size_t worst = from;
         for (std::size_t k = from + 1; k < to; ++k) {
-            const double missed = distance(points[k], points[from], points[to]);
+            const double missed = moved(k, from, to);
             if (missed > most) {
                 most = missed;
                 worst = k;

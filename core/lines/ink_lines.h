@@ -33,8 +33,8 @@ inline constexpr float kHairWidth = 0.0009f, kBoldWidth = 0.0045f;
 /// make the strength. The picture is reduced to 640..1,280 pixels along its longer side, if it has more.
 std::vector<InkLine> find_lines(const Grid<float>& light);
 
-/// Leaves out points by which the line between the others moves 1/10,000 or less, and what belongs to them in
-/// `widths`, if that is not empty (Douglas & Peucker 1973). The first and the last stay.
+/// Leaves out points without which the line's edges, or its middle if `widths` is empty, move by 1/10,000 or
+/// less (Douglas & Peucker 1973). The first and the last stay.
 void simplify(std::vector<glm::dvec2>& points, std::vector<float>& widths);
 
 /// A cubic Bezier curve: from its first point to its last, the others its handles.

@@ -349,7 +349,7 @@ Inking fitted(Inking inking, const Grid<float>& seen, const DotsAmongLines& dots
             while (end < lost.size() && lost[end] == lost[begin]) ++end;
             // The point where it changes belongs to both.
             const std::size_t last = std::min(end + 1, lost.size());
-            std::vector<InkLine>& to = lost[begin] ? result.white : result.lines;
+            std::vector<InkLine>& to = lost[begin] || line.light ? result.white : result.lines;
             to.push_back({{line.points.begin() + static_cast<std::ptrdiff_t>(begin),
                            line.points.begin() + static_cast<std::ptrdiff_t>(last)},
                           {line.widths.begin() + static_cast<std::ptrdiff_t>(begin),

@@ -64,12 +64,7 @@ struct ThreeRows {
 }  // namespace
 
 Grid<float> encoded_lightness(const Grid<float>& light) {
-    Grid<float> encoded =
-        block_means({light.width, light.height}, reduction(light), [&](int y, float* space) {
-            std::transform(light.row(y), light.row(y) + light.width, space,
-                           [](float v) { return v > 0 ? std::min(v, 1.0f) : 0.0f; });
-            return space;
-        });
+    Grid<float> encoded = block_means(light, reduction(light));
     for (float& v : encoded.values) v = static_cast<float>(srgb_byte(v)) / 255;
     return encoded;
 }

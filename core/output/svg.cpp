@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/lines/curve.h"
+#include "core/lines/ink_lines.h"
 #include "core/output/drawing_format.h"
 #include "core/text/length.h"
 #include "core/text/text_lines.h"
