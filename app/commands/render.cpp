@@ -307,6 +307,10 @@ Rendered saved_part(const PlacedPicture& placed, const RenderOptions& options, S
         drawing.dots = stream_of(held, dots.scale);
     }
 
+    if (is_table(format) && plan.inking)
+        stages.say(
+            "a table has dots alone: the contours and solid blacks are left out; SVG, PDF and files for "
+            "machines have them");
     const auto pen_files = pen_files_of(options, format, plan.pens);
     const std::optional<double> bytes = estimated_bytes(drawing);
     if (bytes >= kReportedSize) stages.say(fmt::format("about {} will be written", bytes_in_words(*bytes)));

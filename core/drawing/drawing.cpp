@@ -24,7 +24,29 @@ DotMark mark_in(const DrawingFile& file) {
     return by_radius ? mark : DotMark{DotShape::spiral};
 }
 
-std::optional<StrokeStream> strokes_of(const DrawingToSave& drawing) {
+namespace {
+
+// Lines and solid blacks before the other strokes of their pen.
+StrokeStream with_inking(StrokeStream strokes, const DrawnInking& inking) {
+    if (inking.strokes.points.empty()) return strokes;
+    strokes.points += inking.strokes.points.size();
+    strokes.for_each_stroke = [&inking, others = std::move(strokes.for_each_stroke)](const TakeStroke& take) {
+        bool drawn = false;
+        const auto draw = [&] {
+            if (std::exchange(drawn, true)) return;
+            stream_of(inking.strokes, 0).for_each_stroke(
+                [&](std::span<const glm::dvec2> points, int) { take(points, inking.pen); });
+        };
+        others([&](std::span<const glm::dvec2> points, int pen) {
+            if (pen == inking.pen) draw();
+            take(points, pen);
+        });
+        draw();
+    };
+    return strokes;
+}
+
+std::optional<StrokeStream> strokes_of_dots(const DrawingToSave& drawing) {
     if (drawing.strokes) return drawing.strokes;
     const DrawingSettings& settings = drawing.file.settings;
     const DotMark mark = mark_in(drawing.file);
@@ -46,6 +68,14 @@ std::optional<StrokeStream> strokes_of(const DrawingToSave& drawing) {
     stream.widths_mm = widths;
     stream.for_each_stroke = [lines, all = stream.for_each_stroke](const TakeStroke& take) { all(take); };
     return stream;
+}
+
+}  // namespace
+
+std::optional<StrokeStream> strokes_of(const DrawingToSave& drawing) {
+    std::optional<StrokeStream> strokes = strokes_of_dots(drawing);
+    if (strokes) strokes = with_inking(std::move(*strokes), drawing.inking);
+    return strokes;
 }
 
 Machine usual_machine(DrawingFormat format, GcodeTool tool) {

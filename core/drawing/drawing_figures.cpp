@@ -98,7 +98,8 @@ void add_plotting(DrawingFigures& figures, DrawingFacts& facts, const DrawingToS
         if (drawing.file.settings.style == DrawingStyle::line)
             facts.longest_link_mm = figures.strokes->longest_mm;
     } else {
-        facts.plotting = time_of(stream_of(*by_pen), facts.ink, page, gcode.program);
+        facts.plotting = time_of(stream_of(*by_pen), facts.ink, page, gcode.program) +
+                         time_of(drawing.inking, gcode.program);
     }
     figures.plotting = facts.plotting;
     facts.gcode = gcode_facts(gcode, figures.strokes ? static_cast<double>(figures.strokes->segments) : 0,
@@ -116,6 +117,7 @@ void add_pens(DrawingFigures& figures, DrawingFacts& facts, const DrawingToSave&
         PenFigures& own = figures.by_pen[i];
         own.time = strokes ? figures_of(only(*strokes, own.pen), program).time
                            : time_of(stream_of(by_pen.pieces[i]), facts.ink, page, program);
+        if (!strokes && own.pen == drawing.inking.pen) own.time = own.time + time_of(drawing.inking, program);
         const Pen& pen = drawing.pens[static_cast<std::size_t>(own.pen)];
         facts.pens.push_back({pen.name, own.dots, pen.gap_mm, own.nearer_than_gap});
     }

@@ -143,11 +143,12 @@ PlottingTime time_for(const DrawingToSave& drawing, const std::optional<StrokeSt
     if (strokes) return figures_of(*strokes, program).time;
     const PageSize& page = drawing.page;
     const DotStream& dots = drawing.dots;
+    const PlottingTime inking = time_of(drawing.inking, program);
     // More are not placed a second time.
     if (dots.count > kMostSortedDots)
-        return expected_plotting_time(static_cast<double>(dots.count), page.width_mm * page.height_mm,
-                                      program);
-    return plotting_time(dots, page.mm_per_page_unit, program);
+        return inking + expected_plotting_time(static_cast<double>(dots.count), page.width_mm * page.height_mm,
+                                               program);
+    return inking + plotting_time(dots, page.mm_per_page_unit, program);
 }
 
 // Its dots and its page, where the origin is, and how long the machine takes for the strokes, or for the
@@ -187,6 +188,7 @@ InkPage ink_page(const DrawingToSave& drawing) {
                  .tile_size = drawing.tile_size,
                  .figure8 = settings.placer == PlacerKind::figure8,
                  .settings = embedded};
+    if (page.strokes) page.inking.strokes = {};  // they are among these
     if (settings.background) page.background = settings.paper;
     const bool gcode = format == DrawingFormat::gcode;
     if (gcode) {

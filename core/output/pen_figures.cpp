@@ -35,6 +35,11 @@ StrokeFigures figures_of(const StrokeStream& strokes, const MachineProgram& prog
     return result;
 }
 
+PlottingTime time_of(const DrawnInking& inking, const MachineProgram& program) {
+    if (inking.strokes.points.empty()) return {};
+    return figures_of(stream_of(inking.strokes, 0), program).time;
+}
+
 PlottingTime plotting_time_of_rings(const DotStream& dots, double mm_per_page_unit, double dot_radius_mm,
                                     const MachineProgram& program) {
     MachineClock clock(program);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/analysis/distances.h"
+#include "core/lines/inking.h"
 #include "core/output/plotting_time.h"
 #include "core/pens/pen.h"
 #include "core/pens/pen_dots.h"
@@ -30,6 +31,9 @@ struct StrokeFigures {
 
 /// In the order of the strokes.
 StrokeFigures figures_of(const StrokeStream& strokes, const MachineProgram& program);
+
+/// The time for lines and solid blacks that a pen draws by themselves.
+PlottingTime time_of(const DrawnInking& inking, const MachineProgram& program);
 
 /// The time for circles, each drawn once along its outline, in the dots' order. `dot_radius_mm` is for dots
 /// that have no radius of their own.

@@ -34,6 +34,10 @@ struct PlottingTime {
     double drawing_s = 0;  // lines, pen down
 
     double total_s() const { return moving_s + lifting_s + dots_s + drawing_s; }
+    PlottingTime operator+(const PlottingTime& more) const {
+        return {moving_s + more.moving_s, lifting_s + more.lifting_s, dots_s + more.dots_s,
+                drawing_s + more.drawing_s};
+    }
     bool operator==(const PlottingTime&) const = default;
 };
 

@@ -132,6 +132,8 @@ DrawingToSave drawing_of_pen(const DrawingToSave& drawing, std::size_t pen) {
     DrawingToSave own = drawing;
     own.pens = {drawing.pens[pen]};
     own.dots = only(drawing.dots, static_cast<int>(pen));
+    if (drawing.inking.pen != static_cast<int>(pen)) own.inking = {};
+    own.inking.pen = 0;
     if (drawing.strokes) own.strokes = as_of_one(*drawing.strokes, static_cast<int>(pen));
     return own;
 }

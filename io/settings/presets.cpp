@@ -51,6 +51,12 @@ DrawingSettings sized_by_tone(double smallest_mm, double largest_mm, DrawingSett
     return drawing;
 }
 
+DrawingSettings inked(double contours, double solid, DrawingSettings drawing) {
+    drawing.contours = contours;
+    drawing.solid = solid;
+    return drawing;
+}
+
 std::vector<Preset> made_presets() {
     const PageSetup a4 = upright_page(Paper::a4, 15), a2 = upright_page(Paper::a2, 30);
     const SavingChoice for_pen{.order = DotOrder::shortest};
@@ -68,6 +74,13 @@ std::vector<Preset> made_presets() {
         {"dots-by-tone",
          "small dots in light parts, large ones in dark, on A4",
          {sized_by_tone(0.2, 0.6, drawing_of(kDefaultDots, a4)), {}}},
+        {"portrait",
+         "a face in pen and ink on A4: contours, solid blacks, and few dots for what lies between",
+         {inked(0.6, 0.8, drawing_of(8'000, a4)), {}}},
+        {"engraving", "fine dots on A4, with all contours and solid blacks", {inked(0.8, 0.85, drawing_of(40'000, a4)), {}}},
+        {"field-guide",
+         "plants and animals as books have them: clear contours on A4, and nothing solid",
+         {inked(0.5, 1, drawing_of(20'000, a4)), {}}},
         {"poster", "a great many dots on A2", {drawing_of(400'000, a2), {.dpi = 600}}},
     };
 }
