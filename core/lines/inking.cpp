@@ -364,11 +364,12 @@ Inking fitted(Inking inking, const Grid<float>& seen, const DotsAmongLines& dots
 Grid<float> room_for_dots(const Inking& inking, const Density& density, const Grid<float>& seen,
                           const InkCurve& ink, const DotsAmongLines& dots) {
     const Grid<float> own = reduced(density), wanted = covered_paper(own, ink);
+    constexpr double kBesideWhite = 0.6;  // of a dot's radius: they reach into a white line from both sides
     const int width = own.width, height = own.height;
     const double longer = longer_side_of(own), gap = gap_for(dots);
     const Grid<float> inked = coverage(inking.lines, inking.areas, 0, width, height);
     const Grid<float> near = coverage(inking.lines, inking.areas, gap, width, height);
-    const Grid<float> white = coverage(inking.white, {}, dots.radius, width, height);
+    const Grid<float> white = coverage(inking.white, {}, kBesideWhite * dots.radius, width, height);
     const Grid<float> around = blurred(seen, gap * longer);
     const float least = least_density(own);
     // What of the ink that dots are to bring they cannot where they may not be.
