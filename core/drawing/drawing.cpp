@@ -34,8 +34,9 @@ StrokeStream with_inking(StrokeStream strokes, const DrawnInking& inking) {
         bool drawn = false;
         const auto draw = [&] {
             if (std::exchange(drawn, true)) return;
-            stream_of(inking.strokes, 0).for_each_stroke(
-                [&](std::span<const glm::dvec2> points, int) { take(points, inking.pen); });
+            stream_of(inking.strokes, 0).for_each_stroke([&](std::span<const glm::dvec2> points, int) {
+                take(points, inking.pen);
+            });
         };
         others([&](std::span<const glm::dvec2> points, int pen) {
             if (pen == inking.pen) draw();

@@ -12,10 +12,6 @@
 
 namespace dapple {
 
-/// A picture of linear light, reduced by whole blocks of pixels to some thousand along its longer side, as
-/// lines and blacks are found on.
-Grid<float> light_for_lines(const Grid<float>& light, float exposure);
-
 /// The negative, in encoded values, for light ink.
 Grid<float> negative(Grid<float> light);
 
@@ -25,7 +21,8 @@ int pen_for_inking(std::span<const Pen> pens);
 /// Those of the lines that a strength of 0..1 shows, the weaker ones thinner.
 std::vector<InkLine> lines_shown(const std::vector<InkLine>& lines, double contours);
 
-/// What of an inking's lines lies where the picture is drawn: where `kept`, a grid over the picture, is 0.5 or more.
+/// What of an inking's lines lies where the picture is drawn: where `kept`, a grid over the picture, is 0.5
+/// or more.
 Inking within(Inking inking, const Grid<float>& kept);
 
 /// The density with that room in it: see room_for_dots().

@@ -10,6 +10,7 @@
 #include "core/drawing/relaxed_stream.h"
 #include "core/image/auto_tone.h"
 #include "core/image/detail.h"
+#include "core/lines/line_field.h"
 #include "core/maths/portable_math.h"
 #include "core/placing/page.h"
 #include "core/relaxing/relax.h"
@@ -361,27 +362,29 @@ void Pipeline::add_inking(DrawingPlan& plan, const DrawingSettings& request) {
     const double dots = std::max(plan.dots(), 1.0);
     const double spacing = std::sqrt(plan.density->width() * double(plan.density->height()) / dots) /
                            plan.density->longer_side();
-    const double radius = plan.largest_share() * plan.radius(plan.placing.count ? scale_for(*plan.density, dots)
-                                                                                : plan.placing.scale);
+    const double radius =
+        plan.largest_share() *
+        plan.radius(plan.placing.count ? scale_for(*plan.density, dots) : plan.placing.scale);
     const Inked inked{plan.density, request.contours, request.solid, {radius, spacing}};
     const Room& room = room_.of(inked, [&] {
         const LitForLines lit{plan.tone.exposure, plan.tone.invert};
-        const Grid<float> light = light_for_lines(framed_light(), lit.exposure);
+        const Grid<float> light = exposed(reduced(framed_light()), lit.exposure);
         const auto as_drawn = [&](Grid<float> seen) { return lit.invert ? negative(std::move(seen)) : seen; };
         const Grid<float> seen = as_drawn(toned_light(light, plan.tone));
         Inking inking;
         if (request.contours > 0)
-            inking.lines = lines_shown(lines_.of(lit, [&] { return find_lines(as_drawn(light)); }),
-                                       request.contours);
+            inking.lines =
+                lines_shown(lines_.of(lit, [&] { return find_lines(as_drawn(light)); }), request.contours);
         if (request.solid < 1) {
             inking.areas = blacks_.of({plan.tone, request.solid},
                                       [&] { return find_blacks(seen, request.solid, kLeastSolid); });
             inking.lines = outside(inking.lines, inking.areas, kAlongSolid);
         }
         if (!request.mask.empty())
-            inking = within(std::move(inking),
-                            masked(Grid<float>(plan.density->width(), plan.density->height(), 1),
-                                   request.mask.without_finer(), framing_of_light(), {light_.width, light_.height}));
+            inking = within(
+                std::move(inking),
+                masked(Grid<float>(plan.density->width(), plan.density->height(), 1),
+                       request.mask.without_finer(), framing_of_light(), {light_.width, light_.height}));
         Room made;
         inking = fitted(std::move(inking), seen, inked.dots);
         made.times = room_for_dots(inking, *plan.density, seen, InkCurve(plan.ink), inked.dots);

@@ -53,8 +53,8 @@ DrawnInking inking_on(const Excerpt& excerpt, const DrawingPlan& plan, const Dra
     if (has_pixels(file.format) || (has_colours(file.format) && !draws_strokes(file.settings))) {
         drawn.shapes = shapes_of(*plan.inking, {corner, corner + size}, unit);
     } else if (!is_table(file.format)) {
-        const std::vector<double> widths = stroke_widths(file.settings.pens, file.settings.pen_width_mm,
-                                                         plan.pens, PenUse::lines);
+        const std::vector<double> widths =
+            stroke_widths(file.settings.pens, file.settings.pen_width_mm, plan.pens, PenUse::lines);
         const double pen_mm =
             widths.empty() ? file.settings.pen_width_mm : widths[static_cast<std::size_t>(drawn.pen)];
         const Strokes strokes = strokes_of(*plan.inking, pen_mm, unit);
@@ -146,8 +146,8 @@ PlottingTime time_for(const DrawingToSave& drawing, const std::optional<StrokeSt
     const PlottingTime inking = time_of(drawing.inking, program);
     // More are not placed a second time.
     if (dots.count > kMostSortedDots)
-        return inking + expected_plotting_time(static_cast<double>(dots.count), page.width_mm * page.height_mm,
-                                               program);
+        return inking + expected_plotting_time(static_cast<double>(dots.count),
+                                               page.width_mm * page.height_mm, program);
     return inking + plotting_time(dots, page.mm_per_page_unit, program);
 }
 

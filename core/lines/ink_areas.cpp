@@ -199,39 +199,13 @@ std::vector<InkArea> find_blacks(const Grid<float>& light, double darkness, doub
 std::vector<InkLine> outside(const std::vector<InkLine>& lines, const std::vector<InkArea>& areas,
                              double margin) {
     constexpr int kSide = 1024;
-    constexpr std::size_t kShortest = 7;  // points, a pixel apart or less
     const Grid<float> covered = coverage({}, areas, margin, kSide, kSide);
-    const auto pixel = [](double v) { return std::clamp(static_cast<int>(v * kSide), 0, kSide - 1); };
     std::vector<InkLine> pieces;
-    for (const InkLine& line : lines) {
-        InkLine piece = line;
-        const auto end_piece = [&] {
-            if (piece.points.size() >= kShortest) {
-                simplify(piece.points, piece.widths);
-                pieces.push_back(piece);
-            }
-            piece.points.clear();
-            piece.widths.clear();
-        };
-        const auto go_on = [&](glm::dvec2 point, float width) {
-            if (covered.at(pixel(point.x), pixel(point.y)) >= 0.5f) return end_piece();
-            piece.points.push_back(point);
-            piece.widths.push_back(width);
-        };
-        piece.points.clear();
-        piece.widths.clear();
-        go_on(line.points[0], line.widths[0]);
-        for (std::size_t i = 1; i < line.points.size(); ++i) {
-            const glm::dvec2 from = line.points[i - 1], way = line.points[i] - from;
-            const int steps = std::max(1, static_cast<int>(std::ceil(glm::length(way) * kSide)));
-            for (int k = 1; k < steps; ++k) {
-                const float t = static_cast<float>(k) / static_cast<float>(steps);
-                go_on(from + way * (double(k) / steps), line.widths[i - 1] * (1 - t) + line.widths[i] * t);
-            }
-            go_on(line.points[i], line.widths[i]);
-        }
-        end_piece();
-    }
+    for (const InkLine& line : lines)
+        for (InkLine& piece : pieces_of(line, [&](const InkLine&all, std::size_t i) {
+                 return value_at(covered, glm::vec2(all.points[i] * double{kSide}) - 0.5f) < 0.5f;
+             }))
+            pieces.push_back(std::move(piece));
     return pieces;
 }
 

@@ -23,7 +23,7 @@ struct InkArea {
 std::vector<InkArea> find_blacks(const Grid<float>& light, double darkness, double least_size);
 
 /// What of the lines lies outside the areas by more than `margin`: within it a line would follow the area's
-/// outline. Pieces end with their full width; very short ones are left out.
+/// outline. See pieces_of().
 std::vector<InkLine> outside(const std::vector<InkLine>& lines, const std::vector<InkArea>& areas,
                              double margin);
 

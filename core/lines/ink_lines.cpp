@@ -300,6 +300,38 @@ std::vector<InkLine> find_lines(const Grid<float>& light) {
     return lines;
 }
 
+std::vector<InkLine> pieces_of(const InkLine& line, const KeepsPoint& keeps) {
+    constexpr double kApart = 1.0 / 1024;
+    constexpr std::size_t kFewest = 7;
+    InkLine all{.points = {line.points[0]},
+                .widths = {line.widths[0]},
+                .strength = line.strength,
+                .light = line.light};
+    for (std::size_t i = 1; i < line.points.size(); ++i) {
+        const glm::dvec2 from = line.points[i - 1], way = line.points[i] - from;
+        const int steps = std::max(1, static_cast<int>(std::ceil(glm::length(way) / kApart)));
+        for (int k = 1; k <= steps; ++k) {
+            const double share = static_cast<double>(k) / steps;
+            all.points.push_back(k < steps ? from + way * share : line.points[i]);
+            all.widths.push_back(std::lerp(line.widths[i - 1], line.widths[i], static_cast<float>(share)));
+        }
+    }
+    std::vector<InkLine> pieces;
+    for (std::size_t i = 0, begin = 0; i <= all.points.size(); ++i) {
+        if (i < all.points.size() && keeps(all, i)) continue;
+        const auto first = static_cast<std::ptrdiff_t>(begin), end = static_cast<std::ptrdiff_t>(i);
+        begin = i + 1;
+        if (end - first < static_cast<std::ptrdiff_t>(kFewest)) continue;
+        InkLine& piece =
+            pieces.emplace_back(InkLine{.points = {all.points.begin() + first, all.points.begin() + end},
+                                        .widths = {all.widths.begin() + first, all.widths.begin() + end},
+                                        .strength = line.strength,
+                                        .light = line.light});
+        simplify(piece.points, piece.widths);
+    }
+    return pieces;
+}
+
 void simplify(std::vector<glm::dvec2>& points, std::vector<float>& widths) {
     // How far an edge of the line moves if there were nothing between two of its points.
     const auto moved = [&](std::size_t k, std::size_t from, std::size_t to) {

@@ -3,6 +3,8 @@
 // rather than texture.
 
 #include <array>
+#include <cstddef>
+#include <functional>
 #include <glm/vec2.hpp>
 #include <span>
 #include <vector>
@@ -32,6 +34,11 @@ inline constexpr float kHairWidth = 0.0009f, kBoldWidth = 0.0045f;
 /// on, down to where they no longer stand out (hysteresis, Canny 1986). Contrast that stands out and length
 /// make the strength. The picture is reduced to 640..1,280 pixels along its longer side, if it has more.
 std::vector<InkLine> find_lines(const Grid<float>& light);
+
+/// The parts of a line whose points are kept, as it is asked for points close to each other; those of very
+/// few are left out. They end with their full width.
+using KeepsPoint = std::function<bool(const InkLine& line, std::size_t point)>;
+std::vector<InkLine> pieces_of(const InkLine& line, const KeepsPoint& keeps);
 
 /// Leaves out points without which the line's edges, or its middle if `widths` is empty, move by 1/10,000 or
 /// less (Douglas & Peucker 1973). The first and the last stay.

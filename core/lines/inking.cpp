@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "core/image/blur.h"
+#include "core/lines/line_field.h"
 
 namespace dapple {
 namespace {
@@ -128,8 +129,8 @@ void add_hatching(Strokes& strokes, const InkArea& area, double pen) {
     std::vector<std::vector<Crossing>> crossings(static_cast<std::size_t>(rows));
     for (const Points& ring : area.rings) {
         for (std::size_t i = 1; i < ring.size(); ++i) {
-            const auto [a, b] = ring[i - 1].y < ring[i].y ? std::pair(ring[i - 1], ring[i])
-                                                          : std::pair(ring[i], ring[i - 1]);
+            const auto [a, b] =
+                ring[i - 1].y < ring[i].y ? std::pair(ring[i - 1], ring[i]) : std::pair(ring[i], ring[i - 1]);
             for (auto row = static_cast<std::ptrdiff_t>(std::ceil(a.y / apart));
                  static_cast<double>(row) * apart < b.y; ++row) {
                 const double along = (static_cast<double>(row) * apart - a.y) / (b.y - a.y);
@@ -162,7 +163,8 @@ void add_hatching(Strokes& strokes, const InkArea& area, double pen) {
                 stroke = std::move(*below);
                 open.erase(below);
             }
-            const bool back = !stroke.empty() && std::abs(stroke.back().x - to) < std::abs(stroke.back().x - from);
+            const bool back =
+                !stroke.empty() && std::abs(stroke.back().x - to) < std::abs(stroke.back().x - from);
             stroke.emplace_back(back ? to : from, y);
             stroke.emplace_back(back ? from : to, y);
             now.push_back(std::move(stroke));
@@ -209,7 +211,8 @@ Strokes in_short_order(const Strokes& strokes) {
                    last = strokes.points.begin() + static_cast<std::ptrdiff_t>(strokes.ends[left[next]]);
         const std::size_t so_far = sorted.points.size();
         sorted.points.insert(sorted.points.end(), first, last);
-        if (from_end) std::reverse(sorted.points.begin() + static_cast<std::ptrdiff_t>(so_far), sorted.points.end());
+        if (from_end)
+            std::reverse(sorted.points.begin() + static_cast<std::ptrdiff_t>(so_far), sorted.points.end());
         end_stroke(sorted);
         at = sorted.points.back();
         left[next] = left.back();
@@ -251,22 +254,6 @@ Strokes strokes_of(const Inking& inking, double pen_width_mm, double mm_per_page
     return strokes;
 }
 
-Grid<float> means_of_blocks(const Grid<float>& grid, int block) {
-    if (block == 1) return grid;
-    Grid<float> means((grid.width + block - 1) / block, (grid.height + block - 1) / block);
-    for (int y = 0; y < means.height; ++y) {
-        for (int x = 0; x < means.width; ++x) {
-            float sum = 0;
-            int count = 0;
-            for (int v = y * block; v < std::min((y + 1) * block, grid.height); ++v)
-                for (int u = x * block; u < std::min((x + 1) * block, grid.width); ++u, ++count)
-                    sum += grid.at(u, v);
-            means.at(x, y) = sum / static_cast<float>(count);
-        }
-    }
-    return means;
-}
-
 namespace {
 
 // Dots of less density stand three times as far apart as half of all dots do.
@@ -287,10 +274,6 @@ Grid<float> covered_paper(const Grid<float>& density, const InkCurve& ink) {
     return covered;
 }
 
-Grid<float> reduced(const Density& density) {
-    return means_of_blocks(density.values(), blocks_for(density.longer_side(), kLongestForLines));
-}
-
 double longer_side_of(const Grid<float>& grid) {
     return std::max(grid.width, grid.height);
 }
@@ -308,62 +291,36 @@ float darkness_of(float seen) {
     return t * t * (3 - 2 * t);
 }
 
-// Whether a line is lost at each of its points, as both of its sides are nearly black: as most of its points
-// nearby are.
-std::vector<bool> lost_points(const InkLine& line, const Grid<float>& seen, double gap) {
-    constexpr std::ptrdiff_t kNearby = 8;
-    const double longer = longer_side_of(seen);
-    const auto dark_at = [&](glm::dvec2 place) {
-        const glm::dvec2 pixel = glm::clamp(place * longer, glm::dvec2(0), {seen.width - 1.0, seen.height - 1.0});
-        return darkness_of(seen.at(static_cast<int>(pixel.x), static_cast<int>(pixel.y)));
-    };
-    std::vector<float> dark(line.points.size());
-    for (std::size_t i = 0; i < dark.size(); ++i) {
-        const glm::dvec2 aside = aside_at(line.points, i, line.closed()) * (line.widths[i] / 2 + gap);
-        dark[i] = std::min(dark_at(line.points[i] + aside), dark_at(line.points[i] - aside));
-    }
-    std::vector<bool> lost(dark.size());
-    const auto size = static_cast<std::ptrdiff_t>(dark.size());
-    for (std::ptrdiff_t i = 0; i < size; ++i) {
-        float sum = 0;
-        const std::ptrdiff_t from = std::max<std::ptrdiff_t>(i - kNearby, 0), to = std::min(i + kNearby, size - 1);
-        for (std::ptrdiff_t k = from; k <= to; ++k) sum += dark[static_cast<std::size_t>(k)];
-        lost[static_cast<std::size_t>(i)] = sum > 0.5f * static_cast<float>(to - from + 1);
-    }
-    return lost;
-}
-
 }  // namespace
 
 Inking fitted(Inking inking, const Grid<float>& seen, const DotsAmongLines& dots) {
     constexpr double kFineDot = 0.002, kMostTimes = 2.5;  // page units: lines are right for such dots
     const auto times = static_cast<float>(std::clamp(dots.radius / kFineDot, 1.0, kMostTimes));
-    for (InkLine& line : inking.lines)
-        for (float& width : line.widths) width *= times;
-    const Grid<float> around = blurred(seen, 0.5 * gap_for(dots) * longer_side_of(seen));
+    const double longer = longer_side_of(seen), gap = gap_for(dots);
+    const Grid<float> around = blurred(seen, gap * longer);
+    const auto dark_at = [&](glm::dvec2 place) {
+        return darkness_of(value_at(around, glm::vec2(place * longer) - 0.5f));
+    };
+    // A line is lost where both of its sides are nearly black.
+    const auto is_lost = [&](const InkLine& line, std::size_t i) {
+        const glm::dvec2 aside = aside_at(line.points, i, line.closed()) * (line.widths[i] / 2 + gap);
+        return std::min(dark_at(line.points[i] + aside), dark_at(line.points[i] - aside)) > 0.5f;
+    };
     Inking result{.lines = {}, .areas = std::move(inking.areas), .white = {}};
-    for (const InkLine& line : inking.lines) {
-        const std::vector<bool> lost = lost_points(line, around, gap_for(dots));
-        for (std::size_t begin = 0; begin + 1 < lost.size();) {
-            std::size_t end = begin + 1;
-            while (end < lost.size() && lost[end] == lost[begin]) ++end;
-            // The point where it changes belongs to both.
-            const std::size_t last = std::min(end + 1, lost.size());
-            std::vector<InkLine>& to = lost[begin] || line.light ? result.white : result.lines;
-            to.push_back({{line.points.begin() + static_cast<std::ptrdiff_t>(begin),
-                           line.points.begin() + static_cast<std::ptrdiff_t>(last)},
-                          {line.widths.begin() + static_cast<std::ptrdiff_t>(begin),
-                           line.widths.begin() + static_cast<std::ptrdiff_t>(last)},
-                          line.strength});
-            begin = end;
-        }
+    for (InkLine& line : inking.lines) {
+        for (float& width : line.widths) width *= times;
+        for (const bool lost : {false, true})
+            for (InkLine& piece : pieces_of(line, [&](const InkLine&all, std::size_t i) {
+                     return (line.light || is_lost(all, i)) == lost;
+                 }))
+                (lost ? result.white : result.lines).push_back(std::move(piece));
     }
     return result;
 }
 
 Grid<float> room_for_dots(const Inking& inking, const Density& density, const Grid<float>& seen,
                           const InkCurve& ink, const DotsAmongLines& dots) {
-    const Grid<float> own = reduced(density), wanted = covered_paper(own, ink);
+    const Grid<float> own = reduced(density.values()), wanted = covered_paper(own, ink);
     constexpr double kBesideWhite = 0.6;  // of a dot's radius: they reach into a white line from both sides
     const int width = own.width, height = own.height;
     const double longer = longer_side_of(own), gap = gap_for(dots);
@@ -375,8 +332,8 @@ Grid<float> room_for_dots(const Inking& inking, const Density& density, const Gr
     // What of the ink that dots are to bring they cannot where they may not be.
     Grid<float> room(width, height), missing(width, height);
     for (std::size_t i = 0; i < own.values.size(); ++i) {
-        const float kept_clear =
-            std::max(std::lerp(near.values[i], inked.values[i], darkness_of(around.values[i])), white.values[i]);
+        const float kept_clear = std::max(
+            std::lerp(near.values[i], inked.values[i], darkness_of(around.values[i])), white.values[i]);
         room.values[i] = own.values[i] < least ? 0 : 1 - kept_clear;
         missing.values[i] = (1 - room.values[i]) * wanted.values[i] - inked.values[i];
     }
@@ -385,7 +342,8 @@ Grid<float> room_for_dots(const Inking& inking, const Density& density, const Gr
     const Grid<float> room_around = blurred(room, sigma);
     constexpr float kLeastRoom = 0.05f;  // deep in black there is none
     for (std::size_t i = 0; i < own.values.size(); ++i)
-        missing.values[i] = room_around.values[i] > kLeastRoom ? missing.values[i] / room_around.values[i] : 0;
+        missing.values[i] =
+            room_around.values[i] > kLeastRoom ? missing.values[i] / room_around.values[i] : 0;
     missing = blurred(std::move(missing), sigma);
     Grid<float> times(width, height);
     for (std::size_t i = 0; i < own.values.size(); ++i) {

@@ -41,13 +41,6 @@ struct DrawnInking {
     bool empty() const { return shapes.empty() && strokes.points.empty(); }
 };
 
-/// How many pixels' sides a block has that reduces a picture's longer side to at most so many.
-inline int blocks_for(int longer_side, int longest) {
-    return (longer_side + longest - 1) / longest;
-}
-/// The mean of each block of so many pixels across and down; those at the edges may have fewer.
-Grid<float> means_of_blocks(const Grid<float>& grid, int block);
-
 /// The dots that the inking lies among, in page units.
 struct DotsAmongLines {
     double radius = 0;   // of the largest
@@ -56,18 +49,15 @@ struct DotsAmongLines {
     bool operator==(const DotsAmongLines&) const = default;
 };
 
-/// Pictures are reduced to so many pixels at most along their longer side for what follows.
-inline constexpr int kLongestForLines = 1280;
-
 /// The lines for a drawing with such dots: none is much finer than these, and where both sides of one are so
-/// dark that it would be lost, it is white. `seen` is the light of the drawn picture, 0..1.
+/// dark that it would be lost, it is white. `seen` is the light of the drawn picture, 0..1,
+/// as small as reduced() makes it.
 Inking fitted(Inking inking, const Grid<float>& seen, const DotsAmongLines& dots);
 
-/// What the density is to be multiplied with at each pixel of a grid as large as its own, or smaller by whole
-/// blocks of pixels: 0 where dots would reach into lines and areas or nearly, and where they would stand
-/// alone, at over three times the usual distance from each other. Dots that are nearly black come up to them:
-/// no white rim parts them. What ink the lines carry beyond the tone, and what the gaps lack of it, is made
-/// up for by the dots beside them. `seen` is as before, of a size that means_of_blocks() gives the density.
+/// What the density is to be multiplied with at each of its pixels, as many as reduced() leaves: 0 where dots
+/// would reach into lines and areas or nearly, and where they would stand alone, at over three times the
+/// usual distance from each other. Dots that are nearly black come up to them: no white rim parts them. What
+/// ink the lines carry beyond the tone, and what the gaps lack of it, is made up for by the dots beside them.
 Grid<float> room_for_dots(const Inking& inking, const Density& density, const Grid<float>& seen,
                           const InkCurve& ink, const DotsAmongLines& dots);
 

@@ -63,8 +63,12 @@ struct ThreeRows {
 
 }  // namespace
 
+Grid<float> reduced(const Grid<float>& picture) {
+    return block_means(picture, reduction(picture));
+}
+
 Grid<float> encoded_lightness(const Grid<float>& light) {
-    Grid<float> encoded = block_means(light, reduction(light));
+    Grid<float> encoded = reduced(light);
     for (float& v : encoded.values) v = static_cast<float>(srgb_byte(v)) / 255;
     return encoded;
 }

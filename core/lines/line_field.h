@@ -15,9 +15,12 @@ inline constexpr float kFineScale = 1 / 500.0f;  // how wide fine lines are, of 
 inline constexpr float kLeastScale = 0.8f;       // and in pixels
 
 /// How many of its pixels, along a side, become one.
-inline int reduction(const Grid<float>& light) {
-    return std::max(1, (std::max(light.width, light.height) + kLongestSide - 1) / kLongestSide);
+inline int reduction(const Grid<float>& picture) {
+    return std::max(1, (std::max(picture.width, picture.height) + kLongestSide - 1) / kLongestSide);
 }
+
+/// Means over blocks of so many pixels along a side.
+Grid<float> reduced(const Grid<float>& picture);
 
 /// The sRGB-encoded values, 0..1, of a picture of linear light (clamped, NaN black), reduced.
 Grid<float> encoded_lightness(const Grid<float>& light);

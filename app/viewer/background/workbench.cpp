@@ -226,8 +226,8 @@ DotsPlaced Workbench::ready_for_screen(const DotsRequest& request, PlacedDrawing
                                         drawing.layout.page, drawing.dot_radius(), way, stop);
     drawing.inking = {};
     if (drawing.plan.inking)
-        drawing.inking = shown_inking(*drawing.plan.inking, drawing.plan.pens,
-                                      {drawing.window().x, drawing.window().y});
+        drawing.inking =
+            shown_inking(*drawing.plan.inking, drawing.plan.pens, {drawing.window().x, drawing.window().y});
     // Large tiles first: see Renderer::set_tiles().
     std::ranges::stable_sort(drawing.outlines, {}, &PlacedTile::level);
     shrink_if_far_too_large(drawing);

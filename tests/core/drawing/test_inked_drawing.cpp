@@ -1,4 +1,5 @@
-// Contours and solid blacks in a drawing: where they and the dots beside them lie, and what files show of them.
+// Contours and solid blacks in a drawing: where they and the dots beside them lie, and what files show of
+// them.
 
 #include <doctest/doctest.h>
 

@@ -80,9 +80,8 @@ TEST_CASE("a closed line's shape is a ring") {
 }
 
 TEST_CASE("the parts of a page have together what the whole has") {
-    const Inking inking{.lines = {straight({0.1, 0.3}, {0.9, 0.8}, 0.03F)},
-                        .areas = {disc({0.5, 0.5}, 0.2)},
-                        .white = {}};
+    const Inking inking{
+        .lines = {straight({0.1, 0.3}, {0.9, 0.8}, 0.03F)}, .areas = {disc({0.5, 0.5}, 0.2)}, .white = {}};
     const auto part = [&](double left, double top) {
         return covered(shapes_of(inking, {{left, top}, {left + 0.5, top + 0.5}}, 100));
     };
@@ -107,9 +106,8 @@ TEST_CASE("a pen goes over a wide line as often as it takes") {
 }
 
 TEST_CASE("dots beside lines and blacks bring the ink that is missing, and none lies in these") {
-    const Inking inking{.lines = {straight({0.1, 0.2}, {0.9, 0.2}, 0.01F)},
-                        .areas = {disc({0.5, 0.6}, 0.15)},
-                        .white = {}};
+    const Inking inking{
+        .lines = {straight({0.1, 0.2}, {0.9, 0.2}, 0.01F)}, .areas = {disc({0.5, 0.6}, 0.15)}, .white = {}};
     const Density density = flat(0.4F);
     const InkCurve ink;
     const Grid<float> seen(400, 400, 1 - ink.coverage(0.4F));
