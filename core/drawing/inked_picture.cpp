@@ -50,8 +50,7 @@ Inking within(Inking inking, const Grid<float>& kept) {
 
 Density with_room(const Density& density, const Grid<float>& room) {
     Grid<float> values = density.values();
-    const auto share =
-        static_cast<float>(std::max(room.width, room.height)) / static_cast<float>(density.longer_side());
+    const float share = 1 / static_cast<float>(reduction(values));
     tbb::parallel_for(0, values.height, [&](int y) {
         for (int x = 0; x < values.width; ++x)
             values.at(x, y) *= value_at(room, (glm::vec2(x, y) + 0.5f) * share - 0.5f);
