@@ -73,7 +73,8 @@ ShownStrokes on_screen(const StrokeStream& strokes, std::span<const Pen> pens, d
 
 ShownStrokes shown_inking(const Inking& inking, std::span<const Pen> pens, glm::dvec2 corner) {
     constexpr double kPen = 1.0 / 500;  // page units, of what fills blacks
-    ShownStrokes shown = on_screen(stream_of(strokes_of({.areas = inking.areas}, kPen, 1), kPen), {}, 1);
+    ShownStrokes shown = on_screen(
+        stream_of(strokes_of({.lines = {}, .areas = inking.areas, .white = {}}, kPen, 1), kPen), {}, 1);
     shown.widths.assign(shown.lines.size(), static_cast<float>(kPen));
     for (const InkLine& line : inking.lines)
         for (std::size_t i = 1; i < line.points.size(); ++i) {
