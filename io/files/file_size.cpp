@@ -37,8 +37,7 @@ DotPieces first_of(const DotStream& dots) {
 double bytes_of(const DrawingToSave& drawing) {
     std::stringstream out;
     write_drawing(out, drawing, "");
-    out.seekp(0, std::ios::end);
-    return static_cast<double>(out.tellp());
+    return static_cast<double>(out.view().size());
 }
 
 double text_bytes(const DrawingToSave& drawing) {
