@@ -307,7 +307,8 @@ TEST_CASE("what a scale came to is known when it is asked for again, and no long
 
 TEST_CASE("what a change has no say in is not made again") {
     Pipeline pipeline = pipeline_of(dull());
-    DrawingSettings request{.placing = {.count = 4000}, .relax = 5};
+    // What brings out detail follows from the count.
+    DrawingSettings request{.tone_strength = 1, .tone = {}, .placing = {.count = 4000}, .relax = 5};
     const auto density = [&] { return pipeline.plan(request).density; };
     auto last = density();
     const auto stays = [&] { return density() == last; };
@@ -402,7 +403,9 @@ TEST_CASE("how many dots there are follows from their sizes") {
     const auto count = [&](double smallest, double largest, double width, std::uint64_t asked) {
         const DotSize size{.sizing = DotSizing::by_tone, .smallest_mm = smallest, .largest_mm = largest};
         return static_cast<double>(
-            all_of(pipeline.stream(pipeline.plan({.placing = {.count = asked},
+            all_of(pipeline.stream(pipeline.plan({.tone_strength = 1,
+                                                  .tone = {},
+                                                  .placing = {.count = asked},
                                                   .relax = 3,
                                                   .dot_size = size,
                                                   .page = {.width_mm = width, .margins = Margins{}}})))

@@ -44,4 +44,24 @@ TEST_CASE("a workbench places on the density that was chosen and goes back to th
     CHECK(left == doctest::Approx(1500).epsilon(0.05));
 }
 
+TEST_CASE("what no dot depends on asks for no other dots, and all else does") {
+    DrawingSettings settings;
+    const DotsRequest before = dots_request(settings);
+    const auto same = [&](const auto& change) {
+        DrawingSettings changed = settings;
+        change(changed);
+        CHECK(changed != settings);
+        return dots_request(changed) == before;
+    };
+    CHECK(same([](auto& s) { s.ink = {1, 0, 0}; }));
+    CHECK(same([](auto& s) { s.background = true; }));
+    CHECK(same([](auto& s) { s.registration = true; }));
+    CHECK(same([](auto& s) { s.sheets = {.columns = 2, .rows = 3}; }));
+    CHECK_FALSE(same([](auto& s) { s.tone.gamma = 2; }));
+    CHECK_FALSE(same([](auto& s) { s.tile = "paper16"; }));
+    CHECK_FALSE(same([](auto& s) { s.ranking = RankingMethod::farthest; }));
+    CHECK_FALSE(same([](auto& s) { s.show_tiles = true; }));
+    CHECK_FALSE(same([](auto& s) { s.pen_width_mm = 0.7; }));
+}
+
 }  // namespace dapple

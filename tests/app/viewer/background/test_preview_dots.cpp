@@ -24,8 +24,7 @@ PlacedDrawing placed(std::uint64_t count, int steps, bool thresholds, bool in_pa
     DotsRequest request;
     request.drawing.tile = kDefaultTile;
     request.density.source = density;
-    request.drawing.placing.count = count;
-    request.drawing.placing.thresholds = thresholds;
+    request.drawing.placing = {.count = count, .threads = 1, .thresholds = thresholds};
     request.drawing.relax = steps;
     request.in_part = in_part;
     request.drawing.placer = placer;
