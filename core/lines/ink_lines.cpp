@@ -397,4 +397,22 @@ std::vector<Cubic> smooth_curve(std::span<const glm::dvec2> points) {
     return curves;
 }
 
+InkLine flattened(const InkLine& line) {
+    constexpr int kParts = 6;
+    InkLine flat{.points = {line.points[0]}, .widths = {}, .strength = line.strength, .light = line.light};
+    if (!line.widths.empty()) flat.widths = {line.widths[0]};
+    const std::vector<Cubic> curves = smooth_curve(line.points);
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+        const auto& [a, b, c, d] = curves[i];
+        for (int k = 1; k <= kParts; ++k) {
+            const double t = static_cast<double>(k) / kParts, u = 1 - t;
+            flat.points.push_back(
+                k == kParts ? d : u * u * u * a + 3 * u * u * t * b + 3 * u * t * t * c + t * t * t * d);
+            if (!line.widths.empty())
+                flat.widths.push_back(std::lerp(line.widths[i], line.widths[i + 1], static_cast<float>(t)));
+        }
+    }
+    return flat;
+}
+
 }  // namespace dapple

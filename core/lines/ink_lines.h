@@ -52,4 +52,7 @@ using Cubic = std::array<glm::dvec2, 4>;
 /// Needs two points or more, no two alike beside each other.
 std::vector<Cubic> smooth_curve(std::span<const glm::dvec2> points);
 
+/// The line with more points, on that curve, and widths between those it has, if it has any.
+InkLine flattened(const InkLine& line);
+
 }  // namespace dapple

@@ -225,6 +225,11 @@ Strokes in_short_order(const Strokes& strokes) {
 
 constexpr double kAlikeMm = 1e-4;
 
+InkArea flattened(InkArea area) {
+    for (Points& ring : area.rings) ring = flattened({.points = std::move(ring), .widths = {}}).points;
+    return area;
+}
+
 std::vector<InkArea> shapes_of(const Inking& inking, const Rectangle<double>& part, double mm_per_page_unit) {
     std::vector<InkArea> shapes;
     const auto add = [&](const InkArea& area) {
@@ -247,8 +252,8 @@ std::vector<InkArea> shapes_of(const Inking& inking, const Rectangle<double>& pa
 Strokes strokes_of(const Inking& inking, double pen_width_mm, double mm_per_page_unit) {
     const double pen = pen_width_mm / mm_per_page_unit;
     Strokes strokes;
-    for (const InkArea& area : inking.areas) add_area(strokes, area, pen);
-    for (const InkLine& line : inking.lines) add_passes(strokes, line, pen);
+    for (const InkArea& area : inking.areas) add_area(strokes, flattened(area), pen);
+    for (const InkLine& line : inking.lines) add_passes(strokes, flattened(line), pen);
     strokes = in_short_order(strokes);
     for (glm::dvec2& p : strokes.points) p *= mm_per_page_unit;
     return strokes;
@@ -321,11 +326,14 @@ Inking fitted(Inking inking, const Grid<float>& seen, const DotsAmongLines& dots
 Grid<float> room_for_dots(const Inking& inking, const Density& density, const Grid<float>& seen,
                           const InkCurve& ink, const DotsAmongLines& dots) {
     const Grid<float> own = reduced(density.values()), wanted = covered_paper(own, ink);
+    constexpr double kBesideBlack = 0.4;  // of a dot's radius: those that are nearly black reach into it
     constexpr double kBesideWhite = 0.6;  // of a dot's radius: they reach into a white line from both sides
     const int width = own.width, height = own.height;
     const double longer = longer_side_of(own), gap = gap_for(dots);
     const Grid<float> inked = coverage(inking.lines, inking.areas, 0, width, height);
     const Grid<float> near = coverage(inking.lines, inking.areas, gap, width, height);
+    const Grid<float> at_edges =
+        coverage(inking.lines, inking.areas, kBesideBlack * dots.radius, width, height);
     const Grid<float> white = coverage(inking.white, {}, kBesideWhite * dots.radius, width, height);
     const Grid<float> around = blurred(seen, gap * longer);
     const float least = least_density(own);
@@ -333,7 +341,7 @@ Grid<float> room_for_dots(const Inking& inking, const Density& density, const Gr
     Grid<float> room(width, height), missing(width, height);
     for (std::size_t i = 0; i < own.values.size(); ++i) {
         const float kept_clear = std::max(
-            std::lerp(near.values[i], inked.values[i], darkness_of(around.values[i])), white.values[i]);
+            std::lerp(near.values[i], at_edges.values[i], darkness_of(around.values[i])), white.values[i]);
         room.values[i] = own.values[i] < least ? 0 : 1 - kept_clear;
         missing.values[i] = (1 - room.values[i]) * wanted.values[i] - inked.values[i];
     }

@@ -28,6 +28,9 @@ struct Inking {
 /// where rings go around it more often one way than the other.
 std::vector<InkArea> shapes_of(const Inking& inking, const Rectangle<double>& part, double mm_per_page_unit);
 
+/// Rings of short straight lines along the area's smooth outline, for what does not draw curves.
+InkArea flattened(InkArea area);
+
 /// All of it as a pen of that width draws it, in millimetres from the picture's corner, in an order that is
 /// short to go: a line in as many passes as make it wide, an area around its edge and then to and fro.
 Strokes strokes_of(const Inking& inking, double pen_width_mm, double mm_per_page_unit);

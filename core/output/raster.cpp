@@ -37,7 +37,8 @@ void add_shapes(SampleBand& samples, const InkPage& page, std::size_t pen, doubl
     if (!page.pens.empty() && pen != static_cast<std::size_t>(page.inking.pen)) return;
     const double samples_per_mm = dpi / kMmPerInch * kSamples;
     const glm::dvec2 corner(0, static_cast<double>(first_row) * kSamples);
-    for (InkArea shape : page.inking.shapes) {
+    for (const InkArea& area : page.inking.shapes) {
+        InkArea shape = flattened(area);
         for (std::vector<glm::dvec2>& ring : shape.rings)
             for (glm::dvec2& p : ring) p = p * samples_per_mm - corner;
         samples.add_shape(shape.rings);

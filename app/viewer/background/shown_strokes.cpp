@@ -76,11 +76,13 @@ ShownStrokes shown_inking(const Inking& inking, std::span<const Pen> pens, glm::
     ShownStrokes shown = on_screen(
         stream_of(strokes_of({.lines = {}, .areas = inking.areas, .white = {}}, kPen, 1), kPen), {}, 1);
     shown.widths.assign(shown.lines.size(), static_cast<float>(kPen));
-    for (const InkLine& line : inking.lines)
+    for (const InkLine& simple : inking.lines) {
+        const InkLine line = flattened(simple);
         for (std::size_t i = 1; i < line.points.size(); ++i) {
             shown.lines.emplace_back(glm::vec2(line.points[i - 1]), glm::vec2(line.points[i]));
             shown.widths.push_back((line.widths[i - 1] + line.widths[i]) / 2);
         }
+    }
     const glm::vec2 from(corner);
     for (glm::vec4& line : shown.lines) line -= glm::vec4(from, from);
     if (!pens.empty()) shown.pens.assign(shown.lines.size(), static_cast<std::uint8_t>(pen_for_inking(pens)));

@@ -129,7 +129,7 @@ TEST_CASE("files have the shapes filled, or drawn by the pen that draws the dots
 
 TEST_CASE("the darkest of several pens draws lines and blacks") {
     Settings settings = inked_settings(600);
-    settings.drawing.pens = parse_pens("#e0a000,#202020,#0080d0");
+    settings.drawing.pens = parse_pens("Ochre:#e0a000,Soot:#202020,Sky:#0080d0");
     const Drawing drawing = drawn(settings);
     const std::string svg = written(drawing, DrawingFormat::svg);
     const std::size_t path = svg.find("<path");

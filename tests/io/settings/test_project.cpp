@@ -77,6 +77,8 @@ ViewerSettings nothing_usual() {
         .paper = parse_colour("#f1faee"),
         .background = true,
         .show_tiles = true,
+        .contours = 0.4,
+        .solid = 0.8,
         .style = DrawingStyle::nearest,
         .mark = parse_dot_mark("M0,0 L1,1"),
         .pen_width_mm = 0.7};
