@@ -238,8 +238,7 @@ std::vector<InkArea> shapes_of(const Inking& inking, const Rectangle<double>& pa
             Points kept = cut_to(ring, part);
             for (glm::dvec2& p : kept) p = (p - part.low) * mm_per_page_unit;
             const auto alike = [](glm::dvec2 a, glm::dvec2 b) { return glm::distance(a, b) < kAlikeMm; };
-            const auto again = std::ranges::unique(kept, alike);
-            kept.erase(again.begin(), again.end());
+            kept.erase(std::unique(kept.begin(), kept.end(), alike), kept.end());
             if (kept.size() > 3) cut.rings.push_back(std::move(kept));
         }
         if (!cut.rings.empty()) shapes.push_back(std::move(cut));
