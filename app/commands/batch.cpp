@@ -11,9 +11,7 @@
 #include <mutex>
 #include <optional>
 #include <stdexcept>
-#include <string>
 #include <thread>
-#include <vector>
 
 #include "app/commands/render_report.h"
 #include "core/text/shown_text.h"

@@ -126,10 +126,9 @@ void check_that_fit(const CLI::App& command, const LightsOptions& options) {
 // Reads, samples and saves; needs an output. Throws std::runtime_error with one sentence naming the file
 // that is wrong; what was at the output's place stays then.
 void lights(const LightsOptions& options) {
-    if (!light_file_of(options.output)) {
+    if (!light_file_of(options.output))
         throw std::runtime_error(
             fmt::format("{}: does not end in {}", options.output.string(), kLightEndings));
-    }
     check_can_save(options.output);
     if (options.pdf) check_can_save(*options.pdf);
     RankedTile tile = tile_named(options.tile, options.ranking);
@@ -142,13 +141,12 @@ void lights(const LightsOptions& options) {
                    "dapple: {}: {} samples will take about {:.1f} GB there, and {:.1f} GB of memory\n",
                    printable(options.output.string()), grouped(count), bytes / 1e9,
                    kMemoryOfOne * static_cast<double>(count) / 1e9);
-    if (!meets_itself(tile.tile())) {
+    if (!meets_itself(tile.tile()))
         fmt::print(
             stderr,
             "dapple: {}: this tile's left and right sides do not fit each other, so samples may lie close "
             "together where the map's sides meet\n",
             printable(options.tile));
-    }
     const LightSamples samples = light_samples(map, tile, options.request);
 
     save_lights(
@@ -162,10 +160,9 @@ void lights(const LightsOptions& options) {
 
 // Saves how large the errors of samplers are on that map, and prints them. Throws as above.
 void compare_lights(const LightsOptions& options) {
-    if (!is_report(options.output)) {
+    if (!is_report(options.output))
         throw std::runtime_error(
             fmt::format("{}: does not end in {}", options.output.string(), kReportEndings));
-    }
     check_can_save(options.output);
     RankedTile tile = tile_named(options.tile, options.ranking);
     const EnvironmentMap map = map_of(options);
@@ -250,11 +247,10 @@ LightsCommand::LightsCommand(CLI::App& program, std::function<void(const ShownMa
                               kReportEndings);
     command->callback([this, command, compare] {
         if (options_.compare) {
-            if (!is_report(options_.output)) {
+            if (!is_report(options_.output))
                 throw CLI::ValidationError(compare->get_name(), std::string("needs an output that ends in ") +
                                                                     kReportEndings +
                                                                     ", such as -o report.html");
-            }
             check_that_fit(*command, options_);
             check_apart(*command, {"--output"}, {{options_.output, "the report"}});
             return compare_lights(options_);
@@ -267,10 +263,9 @@ LightsCommand::LightsCommand(CLI::App& program, std::function<void(const ShownMa
                           .stops = options_.exposure.value_or(0),
                           .turn_degrees = options_.rotation_degrees});
         }
-        if (!light_file_of(options_.output)) {
+        if (!light_file_of(options_.output))
             throw CLI::ValidationError("--output",
                                        options_.output.string() + " does not end in " + kLightEndings);
-        }
         check_that_fit(*command, options_);
         std::vector<FileInUse> written{{options_.output, "the lights"}};
         if (options_.pdf) written.push_back({*options_.pdf, "the density"});

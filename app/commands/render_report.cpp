@@ -4,12 +4,10 @@
 #include <tbb/info.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <string>
 #include <system_error>
 
 #include "core/text/number_words.h"
@@ -201,11 +199,10 @@ std::string stats_of(const RenderOptions& options, const Rendered& drawn) {
     for (const Finding& finding : drawn.findings)
         findings.push_back({{"kind", name_of(finding.kind)}, {"text", finding.text}, {"cure", finding.cure}});
     nlohmann::ordered_json plotting;
-    if (drawn.plotting) {
+    if (drawn.plotting)
         plotting = {{"machine", name_of(drawn.machine)},      {"moving_s", drawn.plotting->moving_s},
                     {"lifting_s", drawn.plotting->lifting_s}, {"dots_s", drawn.plotting->dots_s},
                     {"drawing_s", drawn.plotting->drawing_s}, {"total_s", drawn.plotting->total_s()}};
-    }
     nlohmann::ordered_json strokes;
     if (drawn.strokes)
         strokes = {{"count", drawn.strokes->strokes},

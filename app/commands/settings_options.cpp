@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -14,7 +13,6 @@
 #include "io/command_line/remarks.h"
 #include "io/files/gcode_template.h"
 #include "io/settings/presets.h"
-#include "io/settings/project.h"
 
 namespace dapple {
 
@@ -49,10 +47,9 @@ void take_tool(SavingChoice& saving, const std::string& text) {
         return;
     }
     std::error_code looped;  // reading it says so
-    if (!std::filesystem::exists(text, looped) && !looped) {
+    if (!std::filesystem::exists(text, looped) && !looped)
         throw std::runtime_error(
             fmt::format("--gcode: {} is neither pen, servo nor laser, nor a file with a template", text));
-    }
     saving.gcode_template = read_gcode_template(text);
 }
 

@@ -8,8 +8,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <stdexcept>
-#include <vector>
 
 #include "app/commands/settings_options.h"
 #include "core/drawing/gcode_choice.h"

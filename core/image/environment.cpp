@@ -124,9 +124,8 @@ EnvironmentMap::EnvironmentMap(Grid<glm::vec3> radiance) : radiance_(std::move(r
         for (int x = 0; x < width(); ++x) row += glm::dvec3(radiance_.at(x, y));
         total_flux_ += row * solid_angle(y);
     }
-    if (!(luminance(total_flux_) > 0)) {
+    if (!(luminance(total_flux_) > 0))
         throw std::runtime_error("the map is black all over: there is no light to take samples of");
-    }
 }
 
 double EnvironmentMap::solid_angle(int row) const {

@@ -5,10 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/vec2.hpp>
 #include <limits>
 #include <numbers>
-#include <vector>
 
 #include "core/analysis/distances.h"
 #include "core/output/gcode.h"

@@ -6,7 +6,6 @@
 #include <glm/vec2.hpp>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "core/export.h"

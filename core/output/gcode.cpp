@@ -10,7 +10,6 @@
 #include <span>
 #include <sstream>
 #include <stdexcept>
-#include <string_view>
 #include <utility>
 
 #include "core/output/drawing_format.h"

@@ -6,12 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <glm/vec2.hpp>
 #include <optional>
 #include <stdexcept>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "core/text/length.h"
 #include "core/text/number_words.h"
@@ -197,14 +193,12 @@ Sheet parse_sheet(std::string_view text) {
             fmt::format("'{}' is not a sheet; write COLUMN,ROW/COLUMNSxROWS, for example 2,1/3x4", text));
     }
     const auto [column, row, columns, rows] = *numbers;
-    if (columns < 1 || rows < 1 || columns > kMostSheets || rows > kMostSheets) {
+    if (columns < 1 || rows < 1 || columns > kMostSheets || rows > kMostSheets)
         throw std::runtime_error(
             fmt::format("'{}': a mural has from 1 to {} sheets a side", text, kMostSheets));
-    }
-    if (column < 1 || row < 1 || column > columns || row > rows) {
+    if (column < 1 || row < 1 || column > columns || row > rows)
         throw std::runtime_error(
             fmt::format("'{}': sheets are counted from 1,1 to {},{}", text, columns, rows));
-    }
     return {column, row, columns, rows};
 }
 
@@ -215,10 +209,9 @@ Sheet parse_sheets(std::string_view text) {
             fmt::format("'{}' are no sheets; write COLUMNSxROWS, for example 3x4", text));
     }
     const auto [columns, rows] = *numbers;
-    if (columns < 1 || rows < 1 || columns > kMostSheetsAtOnce || rows > kMostSheetsAtOnce) {
+    if (columns < 1 || rows < 1 || columns > kMostSheetsAtOnce || rows > kMostSheetsAtOnce)
         throw std::runtime_error(
             fmt::format("'{}': there are from 1 to {} sheets a side", text, kMostSheetsAtOnce));
-    }
     return {.columns = columns, .rows = rows};
 }
 
@@ -278,13 +271,11 @@ Rectangle<double> parse_region(std::string_view text) {
                 fmt::format("'{}': a region lies on the page, and none is so large", text));
     }
     // Written so that what is not a number is refused too.
-    if (!(x >= 0) || !(y >= 0)) {
+    if (!(x >= 0) || !(y >= 0))
         throw std::runtime_error(
             fmt::format("'{}': a region's corner is counted from the page's, from 0 up", text));
-    }
-    if (!(width > 0) || !(height > 0)) {
+    if (!(width > 0) || !(height > 0))
         throw std::runtime_error(fmt::format("'{}': a region needs a width and a height over 0", text));
-    }
     return {{x, y}, {x + width, y + height}};
 }
 
@@ -354,11 +345,10 @@ Excerpt region_of(const PageSize& page, const Rectangle<double>& region, glm::dv
     const glm::dvec2 margin = picture_corner_mm / page.mm_per_page_unit;
     const auto [low, high] = region;
     const bool begins_on_page = low.x < page.width_mm && low.y < page.height_mm;
-    if (!begins_on_page || high.x > page.width_mm + kRoundingMm || high.y > page.height_mm + kRoundingMm) {
+    if (!begins_on_page || high.x > page.width_mm + kRoundingMm || high.y > page.height_mm + kRoundingMm)
         throw std::runtime_error(
             fmt::format("the region reaches to {:.10g} x {:.10g} mm, and the page is {:.10g} x {:.10g} mm",
                         high.x, high.y, page.width_mm, page.height_mm));
-    }
     return {{span_between(low.x, high.x, page.width_mm, page.mm_per_page_unit, margin.x),
              span_between(low.y, high.y, page.height_mm, page.mm_per_page_unit, margin.y)},
             {std::min(high.x, page.width_mm) - low.x, std::min(high.y, page.height_mm) - low.y,

@@ -9,8 +9,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "core/strokes/strokes.h"
-
 namespace dapple {
 namespace {
 

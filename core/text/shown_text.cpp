@@ -4,12 +4,10 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <system_error>
-#include <utility>
 
 namespace dapple {
 namespace {

@@ -2,12 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <limits>
 #include <map>
 #include <numeric>
-#include <optional>
 #include <set>
 #include <stdexcept>
 
@@ -230,10 +226,9 @@ ParsedWord parse_word(std::string_view word) {
     if (parsed.letters.empty())
         throw std::runtime_error("a tile's word is empty; write its letters 0, 1, 2, 3");
     const auto wrong = parsed.letters.find_first_not_of("0123");
-    if (wrong != std::string::npos) {
+    if (wrong != std::string::npos)
         throw std::runtime_error(
             fmt::format("'{}' in a tile's word is not a quadrant 0, 1, 2 or 3", parsed.letters[wrong]));
-    }
     if (mark == word.size()) return parsed;
     parsed.end = number_of<std::uint32_t>(word.substr(mark + 1));
     if (!parsed.end) {
@@ -323,10 +318,9 @@ Tile make_tile(const Rule& rule, std::vector<std::string> words) {
     const std::size_t count = letters.size();
     check_size(count);
     for (const std::uint32_t next : tile.successor) {
-        if (next >= count) {
+        if (next >= count)
             throw std::runtime_error(fmt::format(
                 "a tile's word leads to point {}, but the points' numbers end at {}", next, count - 1));
-        }
     }
 
     locate_all(tile, letters);
@@ -386,9 +380,8 @@ Tile make_tile(std::uint64_t a, std::uint64_t b, int count) {
             "the tile {},{}/{} is out of range; both integers must be below {}", a, b, count, limit));
     }
     std::string word;
-    for (int bit = count - 1; bit >= 0; --bit) {
+    for (int bit = count - 1; bit >= 0; --bit)
         word += static_cast<char>('0' + (a >> bit & 1) + 2 * (b >> bit & 1));
-    }
     return make_tile(Rule{}, {word});
 }
 
@@ -528,9 +521,8 @@ std::optional<std::string> paper_notation(const Tile& tile) {
 }
 
 std::string headline(const Tile& tile) {
-    if (tile.kinds() > 1) {
+    if (tile.kinds() > 1)
         return fmt::format("{} kinds of {} points, rule {}", tile.kinds(), tile.size(), text_of(tile.rule));
-    }
     std::string text = fmt::format("{} points, rule {}, {} word{}", tile.size(), text_of(tile.rule),
                                    tile.words.size(), tile.words.size() == 1 ? "" : "s");
     if (const auto integers = paper_notation(tile))

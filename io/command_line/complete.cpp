@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "io/files/tile_library.h"
 #include "io/settings/palettes.h"
 #include "io/settings/presets.h"
 

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <functional>
-#include <initializer_list>
 #include <stdexcept>
 #include <vector>
 
@@ -16,7 +14,6 @@
 #include "core/relaxing/relax.h"
 #include "core/text/length.h"
 #include "core/text/number_words.h"
-#include "core/text/shown_text.h"
 #include "io/settings/palettes.h"
 
 namespace dapple {
@@ -407,9 +404,8 @@ void check_options(const CLI::App& command, DrawingSettings& settings, bool was_
     };
     for (const char* name : {"--black-point", "--white-point", "--contrast", "--brightness", "--gamma"}) {
         if (!given(name)) continue;
-        if (given("--tone") && settings.automatic_tone) {
+        if (given("--tone") && settings.automatic_tone)
             throw CLI::ValidationError("--tone", fmt::format("auto cannot be given together with {}", name));
-        }
         settings.automatic_tone = false;
     }
     if (given("--tone-strength") && !settings.automatic_tone)
@@ -433,9 +429,8 @@ void check_options(const CLI::App& command, DrawingSettings& settings, bool was_
     if (settings.placer == PlacerKind::figure8 && given("--relax") && settings.relax.value_or(0) > 0)
         throw CLI::ValidationError("--relax",
                                    "the figure8 placer's dots stay where they are placed; leave it out");
-    if (command.count("--dots") > 0 && command.count("--scale") > 0) {
+    if (command.count("--dots") > 0 && command.count("--scale") > 0)
         throw CLI::ValidationError("--dots", "cannot be given together with --scale");
-    }
     // Both make a page of that size.
     PageSetup& page = settings.page;
     if (given("--width") && given("--height")) {
@@ -452,9 +447,8 @@ void check_options(const CLI::App& command, DrawingSettings& settings, bool was_
                "has no effect where the page has the picture's shape; give --page, or --width and --height, "
                "too");
     }
-    if (settings.tone.black_point >= settings.tone.white_point) {
+    if (settings.tone.black_point >= settings.tone.white_point)
         throw CLI::ValidationError("--black-point", "must be below --white-point");
-    }
     if (settings.placer == PlacerKind::figure8) {
         refuse(command, {"--ranking"}, "the figure8 placer has an order of its own; leave it out");
     }

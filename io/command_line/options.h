@@ -11,7 +11,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 
 #include "core/drawing/settings.h"
 #include "core/output/sheet.h"

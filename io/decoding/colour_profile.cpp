@@ -8,7 +8,6 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <memory>
-#include <vector>
 
 #include "core/image/tone.h"
 #include "core/maths/portable_math.h"

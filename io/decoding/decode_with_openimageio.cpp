@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -575,10 +574,9 @@ int band_rows_of(const OIIO::ImageSpec& spec, bool whole_strips) {
 // Rows [begin, end) of the file as floats.
 bool read_rows(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, int begin, int end, float* pixels) {
     const int subimage = input.current_subimage(), level = input.current_miplevel();
-    if (spec.tile_width == 0) {
+    if (spec.tile_width == 0)
         return input.read_scanlines(subimage, level, spec.y + begin, spec.y + end, spec.z, 0, spec.nchannels,
                                     OIIO::TypeDesc::FLOAT, pixels);
-    }
     return input.read_tiles(subimage, level, spec.x, spec.x + spec.width, spec.y + begin, spec.y + end,
                             spec.z, spec.z + 1, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, pixels);
 }

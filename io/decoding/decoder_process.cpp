@@ -10,8 +10,6 @@
 #include <cerrno>
 #include <csignal>
 #include <cstddef>
-#include <cstdint>
-#include <cstdlib>
 #include <cstring>
 #include <optional>
 #include <string>
@@ -20,11 +18,7 @@
 #include <utility>
 #include <vector>
 
-#include "io/decoding/decoded_image.h"
 #include "io/decoding/decoder_sandbox.h"
-#include "io/decoding/image_pipe.h"
-#include "io/decoding/picture_format.h"
-#include "io/descriptor.h"
 #include "io/signals.h"
 
 extern char** environ;

@@ -12,11 +12,9 @@
 #include <random>
 #include <stdexcept>
 #include <streambuf>
-#include <string>
 #include <string_view>
 #include <system_error>
 #include <thread>
-#include <vector>
 
 #include "io/descriptor.h"
 #include "io/signals.h"

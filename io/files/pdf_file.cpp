@@ -11,8 +11,6 @@
 #include <stdexcept>
 #include <vector>
 
-#include "core/text/length.h"
-#include "core/text/shown_text.h"
 #include "io/files/pdf_layers.h"
 
 namespace dapple {

@@ -1,12 +1,9 @@
 #include "io/files/save_drawing.h"
 
 #include <memory>
-#include <ostream>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
-#include "core/drawing/write_drawing.h"
 #include "core/output/raster.h"
 #include "core/text/shown_text.h"
 #include "io/files/atomic_file.h"

@@ -9,7 +9,6 @@
 #include <glm/common.hpp>
 #include <glm/vec2.hpp>
 #include <limits>
-#include <optional>
 #include <string>
 
 #include "core/output/raster.h"

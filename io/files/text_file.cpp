@@ -8,7 +8,6 @@
 #include <array>
 #include <cerrno>
 #include <stdexcept>
-#include <string>
 #include <system_error>
 
 #include "core/text/shown_text.h"

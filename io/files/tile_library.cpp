@@ -3,11 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <filesystem>
 #include <stdexcept>
 
 #include "core/text/shown_text.h"
-#include "io/files/text_file.h"
 
 namespace dapple {
 namespace {

@@ -10,7 +10,6 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
-#include <string>
 
 #include "core/text/shown_text.h"
 #include "io/files/text_file.h"

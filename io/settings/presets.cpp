@@ -9,7 +9,6 @@
 #include "core/settings/settings_text.h"
 #include "core/text/shown_text.h"
 #include "io/files/text_file.h"
-#include "io/settings/project.h"
 #include "io/settings/xdg_folders.h"
 
 namespace dapple {
