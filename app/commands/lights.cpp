@@ -9,10 +9,10 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "core/failure.h"
 #include "core/image/environment.h"
 #include "core/lights/direction.h"
 #include "core/lights/light_samples.h"
@@ -79,9 +79,8 @@ EnvironmentMap map_of(const LightsOptions& options) {
     const std::string name = printable(options.map->string());
     const std::string pixels = fmt::format("{} pixel{}", file.below_zero, file.below_zero == 1 ? "" : "s");
     if (file.below_zero > 0 && !options.clamp)
-        throw std::runtime_error(fmt::format(
-            "{}: light is below 0 at {}; repair the map first, or give --clamp to take it as none", name,
-            pixels));
+        throw failure("{}: light is below 0 at {}; repair the map first, or give --clamp to take it as none",
+                      name, pixels);
     if (file.below_zero > 0)
         fmt::print(stderr, "dapple: {}: light below 0 at {} is taken as none\n", name, pixels);
     if (file.ends_at_white)
@@ -127,8 +126,7 @@ void check_that_fit(const CLI::App& command, const LightsOptions& options) {
 // that is wrong; what was at the output's place stays then.
 void lights(const LightsOptions& options) {
     if (!light_file_of(options.output))
-        throw std::runtime_error(
-            fmt::format("{}: does not end in {}", options.output.string(), kLightEndings));
+        throw failure("{}: does not end in {}", options.output.string(), kLightEndings);
     check_can_save(options.output);
     if (options.pdf) check_can_save(*options.pdf);
     RankedTile tile = tile_named(options.tile, options.ranking);
@@ -161,8 +159,7 @@ void lights(const LightsOptions& options) {
 // Saves how large the errors of samplers are on that map, and prints them. Throws as above.
 void compare_lights(const LightsOptions& options) {
     if (!is_report(options.output))
-        throw std::runtime_error(
-            fmt::format("{}: does not end in {}", options.output.string(), kReportEndings));
+        throw failure("{}: does not end in {}", options.output.string(), kReportEndings);
     check_can_save(options.output);
     RankedTile tile = tile_named(options.tile, options.ranking);
     const EnvironmentMap map = map_of(options);

@@ -23,6 +23,7 @@
 #include "app/commands/settings_options.h"
 #include "core/drawing/drawing_figures.h"
 #include "core/drawing/gcode_choice.h"
+#include "core/failure.h"
 #include "core/text/number_words.h"
 #include "io/command_line/files_in_use.h"
 #include "io/command_line/options.h"
@@ -322,8 +323,8 @@ WorkShare share_of_rank() {
         if (!rank_text || !size_text) continue;
         const auto rank = number_of<std::size_t>(rank_text), size = number_of<std::size_t>(size_text);
         if (!rank || !size || *rank >= *size)
-            throw std::runtime_error(fmt::format("auto: {}={} and {}={} are no rank among several", rank_name,
-                                                 rank_text, size_name, size_text));
+            throw failure("auto: {}={} and {}={} are no rank among several", rank_name, rank_text, size_name,
+                          size_text);
         return {*rank, *size};
     }
     throw std::runtime_error(
@@ -459,8 +460,7 @@ void RenderCommand::run(const CLI::App& command) {
     const std::string summary = batch_summary(result, options_.output);
     fmt::print(stderr, "{}\n", summary);
     if (!result.failures.empty())
-        throw std::runtime_error(
-            fmt::format("{} of {} pictures failed", result.failures.size(), shared.size()));
+        throw failure("{} of {} pictures failed", result.failures.size(), shared.size());
 }
 
 Command add_render_command(CLI::App& program) {

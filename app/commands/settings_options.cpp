@@ -1,12 +1,11 @@
 #include "app/commands/settings_options.h"
 
-#include <fmt/format.h>
-
 #include <stdexcept>
 #include <string>
 #include <system_error>
 #include <utility>
 
+#include "core/failure.h"
 #include "core/settings/drawing_fields.h"
 #include "core/text/shown_text.h"
 #include "io/command_line/options.h"
@@ -48,8 +47,7 @@ void take_tool(SavingChoice& saving, const std::string& text) {
     }
     std::error_code looped;  // reading it says so
     if (!std::filesystem::exists(text, looped) && !looped)
-        throw std::runtime_error(
-            fmt::format("--gcode: {} is neither pen, servo nor laser, nor a file with a template", text));
+        throw failure("--gcode: {} is neither pen, servo nor laser, nor a file with a template", text);
     saving.gcode_template = read_gcode_template(text);
 }
 
@@ -120,7 +118,7 @@ void add_mask_options(CLI::App& command, Mask& mask, const PictureLimit& limit) 
         try {
             return read_with_remark(file, limit).light;
         } catch (const std::runtime_error& error) {
-            throw std::runtime_error(fmt::format("{}: {}", option, error.what()));
+            throw failure("{}: {}", option, error.what());
         }
     };
     const auto read_mask = [&mask, light_of](const std::string& file) {

@@ -1,7 +1,5 @@
 #include "core/lights/light_samples.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -18,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/failure.h"
 #include "core/image/environment.h"
 #include "core/lights/direction.h"
 #include "core/lights/settling.h"
@@ -311,9 +310,8 @@ std::vector<LightRegion> share_light(const EnvironmentMap& map, const Grid<float
             glm::dvec3 middle{};
             for (const std::uint32_t dot : own)
                 middle += share * direction_of(dots[dot], SphereConvention::openexr);
-            for (const std::uint32_t dot : own) {
+            for (const std::uint32_t dot : own)
                 add(regions[dot], patch, share, direction_of(dots[dot], SphereConvention::openexr) - middle);
-            }
         }
     }
     if (seed) draw_places(power, grid, by_patch, owners, Random(*seed), regions);
@@ -492,8 +490,7 @@ std::vector<glm::dvec2> exact_dots(RankedTile& tile, const Density& density, con
 
 void check_count(std::uint64_t count) {
     if (count < 1 || count > kMostLightSamples)
-        throw std::runtime_error(
-            fmt::format("{} samples are not possible; ask for 1 to {}", count, kMostLightSamples));
+        throw failure("{} samples are not possible; ask for 1 to {}", count, kMostLightSamples);
 }
 
 int turn_of(const EnvironmentMap& map, std::uint64_t seed) {

@@ -6,8 +6,9 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 #include <string>
+
+#include "core/failure.h"
 
 namespace dapple {
 namespace {
@@ -106,17 +107,17 @@ double draw_block(Drawn drawn, const Pen& pen, int number, glm::dvec2 corner, do
 
 void check_pen(const Pen& pen) {
     if (!(pen.width_mm > 0))
-        throw std::runtime_error(fmt::format(
+        throw failure(
             "{} has no width, which its dots are compared with; give one, as in cmyk:0.3 or Sky:#3aa0d8:0.3",
-            pen.name));
+            pen.name);
     if (pen.width_mm < kFinestTestedMm)
-        throw std::runtime_error(fmt::format(
+        throw failure(
             "{} is {:g} mm wide, and a test sheet would have millions of its dots; give the width "
             "of a real pen, {:g} mm or more",
-            pen.name, pen.width_mm, kFinestTestedMm));
+            pen.name, pen.width_mm, kFinestTestedMm);
     if (pen.width_mm > kWidestTestedMm)
-        throw std::runtime_error(fmt::format("{} is {:g} mm wide; a test sheet has room for up to {:g} mm",
-                                             pen.name, pen.width_mm, kWidestTestedMm));
+        throw failure("{} is {:g} mm wide; a test sheet has room for up to {:g} mm", pen.name, pen.width_mm,
+                      kWidestTestedMm);
 }
 
 }  // namespace
@@ -137,10 +138,10 @@ TestSheet test_sheet(std::span<const Pen> pens, const PageSize& page) {
     const double room = page.width_mm - 2 * kBorderMm;
     constexpr double kLeastRoomMm = 150, kHeaderMm = 2, kHeadedMm = 6, kBetweenMm = 3;
     if (room < kLeastRoomMm)
-        throw std::runtime_error(
-            fmt::format("a test sheet is {:g} mm wide, and the page is {:g}; give "
-                        "a4 or a larger page",
-                        kLeastRoomMm + 2 * kBorderMm, page.width_mm));
+        throw failure(
+            "a test sheet is {:g} mm wide, and the page is {:g}; give "
+            "a4 or a larger page",
+            kLeastRoomMm + 2 * kBorderMm, page.width_mm);
     TestSheet sheet;
     glm::dvec2 corner(kBorderMm, kBorderMm + kHeadedMm);
     for (std::size_t i = 0; i < pens.size(); ++i) {
@@ -154,10 +155,10 @@ TestSheet test_sheet(std::span<const Pen> pens, const PageSize& page) {
     double lowest = 0;
     for (const glm::dvec2 point : sheet.strokes.points) lowest = std::max(lowest, point.y);
     if (lowest > page.height_mm - kBorderMm / 2)
-        throw std::runtime_error(
-            fmt::format("the test sheet of these pens is {:.0f} mm high, and the page is {:g}; give fewer "
-                        "pens, or a larger page",
-                        lowest + kBorderMm / 2, page.height_mm));
+        throw failure(
+            "the test sheet of these pens is {:.0f} mm high, and the page is {:g}; give fewer "
+            "pens, or a larger page",
+            lowest + kBorderMm / 2, page.height_mm);
     return sheet;
 }
 

@@ -185,10 +185,9 @@ std::string packed(std::span<const int> numbers, int bits) {
     std::string bytes((numbers.size() * static_cast<std::size_t>(bits) + 7) / 8, '\0');
     std::size_t at = 0;
     for (const int number : numbers) {
-        for (int bit = bits - 1; bit >= 0; --bit, ++at) {
+        for (int bit = bits - 1; bit >= 0; --bit, ++at)
             if (number >> bit & 1)
                 bytes[at / 8] = static_cast<char>(static_cast<unsigned char>(bytes[at / 8]) | 0x80 >> at % 8);
-        }
     }
     return base64_of(bytes);
 }

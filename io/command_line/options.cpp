@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "core/failure.h"
 #include "core/image/auto_tone.h"
 #include "core/image/detail.h"
 #include "core/relaxing/relax.h"
@@ -21,9 +22,8 @@ namespace {
 
 double in_range(const std::string& text, std::optional<double> value, const NumberRange& range,
                 const char* kind) {
-    if (!value || !std::isfinite(*value)) throw std::runtime_error(fmt::format("{} is not {}", text, kind));
-    if (!range.holds(*value))
-        throw std::runtime_error(fmt::format("{} is not possible; give {}", text, range.in_words(kind)));
+    if (!value || !std::isfinite(*value)) throw failure("{} is not {}", text, kind);
+    if (!range.holds(*value)) throw failure("{} is not possible; give {}", text, range.in_words(kind));
     return *value;
 }
 
@@ -171,8 +171,7 @@ CLI::Option* add_words(CLI::App& app, const std::string& name, std::span<const c
     const auto take = [=](const std::string& text) {
         const auto found = std::ranges::find(known, text);
         if (found == known.end())
-            throw std::runtime_error(
-                fmt::format("{} is not known; there are {}", text, fmt::join(known, ", ")));
+            throw failure("{} is not known; there are {}", text, fmt::join(known, ", "));
         read(static_cast<std::size_t>(found - known.begin()));
     };
     return add_text(app, name, fmt::format("{}", fmt::join(known, "|")), take, help);
@@ -208,8 +207,8 @@ CLI::Option* add_seed(CLI::App& app, std::uint64_t& seed, const std::string& hel
     const auto read = [&seed](const std::string& text) {
         const auto number = number_of<std::uint64_t>(text);
         if (!number)
-            throw std::runtime_error(fmt::format("{} is not possible; give a whole number from 0 to {}", text,
-                                                 std::numeric_limits<std::uint64_t>::max()));
+            throw failure("{} is not possible; give a whole number from 0 to {}", text,
+                          std::numeric_limits<std::uint64_t>::max());
         seed = *number;
     };
     return add_text(app, "--seed", "N", read, help)->default_str(fmt::format("{}", seed));
@@ -218,8 +217,7 @@ CLI::Option* add_seed(CLI::App& app, std::uint64_t& seed, const std::string& hel
 std::uint64_t count_in(const std::string& text, std::uint64_t most) {
     const std::optional<std::uint64_t> count = count_of(text);
     if (!count || *count < 1 || *count > most)
-        throw std::runtime_error(
-            fmt::format("{} is not possible; give a whole number from 1 to {}", text, grouped(most)));
+        throw failure("{} is not possible; give a whole number from 1 to {}", text, grouped(most));
     return *count;
 }
 

@@ -113,9 +113,8 @@ void TiffDoubles::read(int begin, int end, float* pixels) {
                         piece_.data() + static_cast<std::size_t>(row) * piece_width_ * per_plane;
                     float* to =
                         pixels + (static_cast<std::size_t>(y - begin + row) * width_ + x) * channels_ + plane;
-                    for (int column = 0; column < columns; ++column, to += channels_) {
+                    for (int column = 0; column < columns; ++column, to += channels_)
                         for (int k = 0; k < per_plane; ++k) to[k] = static_cast<float>(*from++);
-                    }
                 }
             }
         }
@@ -403,9 +402,8 @@ DecodeError error_of(const std::string& what, std::string message, const std::st
     // Some codecs catch it and say its name.
     if (message.find("bad_alloc") != message.npos) return DecodeError(kTooMuchMemory);
     for (const std::string& part :
-         {" (\"" + name + "\")", " \"" + name + "\"", "\"" + name + "\"", " " + name, name}) {
+         {" (\"" + name + "\")", " \"" + name + "\"", "\"" + name + "\"", " " + name, name})
         for (std::size_t at; (at = message.find(part)) != message.npos;) message.erase(at, part.size());
-    }
     if (const std::size_t end = message.find('\n'); end != message.npos) message.resize(end);
     while (!message.empty() && (message.back() == '.' || message.back() == ' ')) message.pop_back();
     message.erase(0, message.find_first_not_of(' '));
@@ -442,9 +440,8 @@ std::unique_ptr<OIIO::ImageInput> open_picture(const std::string& name, PictureF
         throw error_of("not a picture that can be read", input->geterror(), name);
     // Some files begin with a header that has no picture.
     int picture = 0;
-    while (input->spec().width <= 0 || input->spec().height <= 0) {
+    while (input->spec().width <= 0 || input->spec().height <= 0)
         if (!input->seek_subimage(++picture, 0)) throw DecodeError("there is no picture in the file");
-    }
     return input;
 }
 
@@ -470,9 +467,8 @@ Channels channels_of(const OIIO::ImageSpec& spec, PictureFormat format) {
         channels.colour = {luminance, luminance, luminance};
     } else {
         std::vector<int> others;
-        for (int i = 0; i < spec.nchannels; ++i) {
+        for (int i = 0; i < spec.nchannels; ++i)
             if (i != channels.alpha) others.push_back(i);
-        }
         if (others.empty()) others.push_back(0);
         if (others.size() >= 3) {
             channels.colour = {others[0], others[1], others[2]};

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/text/number_words.h"
+
 namespace dapple {
 
 void check_size(std::int64_t width, std::int64_t height, int channels, const DecodeRequest& request) {

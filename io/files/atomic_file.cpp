@@ -16,6 +16,7 @@
 #include <system_error>
 #include <thread>
 
+#include "core/failure.h"
 #include "io/descriptor.h"
 #include "io/signals.h"
 
@@ -43,7 +44,7 @@ std::string reason(int error) {
 }
 
 [[noreturn]] void fail(const fs::path& target, std::string_view what) {
-    throw std::runtime_error(fmt::format("{}: {}", target.string(), what));
+    throw failure("{}: {}", target.string(), what);
 }
 
 [[noreturn]] void fail_to_write(const fs::path& target, int error) {
@@ -306,9 +307,9 @@ void save_next(std::size_t before, const std::function<void()>& save) {
         save();
     } catch (const std::runtime_error& error) {
         if (before == 0) throw;
-        throw std::runtime_error(fmt::format("{}; {} before it {} saved, and {}", error.what(),
-                                             before == 1 ? "the one" : fmt::format("the {}", before),
-                                             before == 1 ? "is" : "are", before == 1 ? "stays" : "stay"));
+        throw failure("{}; {} before it {} saved, and {}", error.what(),
+                      before == 1 ? "the one" : fmt::format("the {}", before), before == 1 ? "is" : "are",
+                      before == 1 ? "stays" : "stay");
     }
 }
 

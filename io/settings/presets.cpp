@@ -1,10 +1,8 @@
 #include "io/settings/presets.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <stdexcept>
 
+#include "core/failure.h"
 #include "core/settings/drawing_fields.h"
 #include "core/settings/settings_text.h"
 #include "core/text/shown_text.h"
@@ -76,7 +74,9 @@ std::vector<Preset> made_presets() {
         {"portrait",
          "a face in pen and ink on A4: contours, solid blacks, and few dots for what lies between",
          {inked(0.6, 0.8, drawing_of(8'000, a4)), {}}},
-        {"engraving", "fine dots on A4, with all contours and solid blacks", {inked(0.8, 0.85, drawing_of(40'000, a4)), {}}},
+        {"engraving",
+         "fine dots on A4, with all contours and solid blacks",
+         {inked(0.8, 0.85, drawing_of(40'000, a4)), {}}},
         {"field-guide",
          "plants and animals as books have them: clear contours on A4, and nothing solid",
          {inked(0.5, 1, drawing_of(20'000, a4)), {}}},
@@ -116,8 +116,7 @@ Preset preset_named(const std::string& name, const fs::path& folder) {
     if (found != built_in.end()) return *found;
     const fs::path file = preset_files(folder).find(name);
     if (file.empty())
-        throw std::runtime_error(
-            fmt::format("there is no preset \"{}\"; `dapple presets` lists them all", printable(name)));
+        throw failure("there is no preset \"{}\"; `dapple presets` lists them all", printable(name));
     Preset preset{name, "", {}};
     read_settings(text_of_settings(file), {file}, all_of_preset(preset.settings));
     return preset;
