@@ -31,7 +31,7 @@ namespace fs = std::filesystem;
 
 constexpr int kLookAgain = 50;  // milliseconds: so soon is seen that it is to stop
 
-std::string system_words(int error) {
+std::string reason(int error) {
     return std::generic_category().message(error);
 }
 
@@ -45,7 +45,7 @@ std::size_t read_some(int from, std::vector<char>& buffer, const std::stop_token
         if (ready == 0) continue;
         const ssize_t got = ::read(from, buffer.data(), buffer.size());
         if (got >= 0) return static_cast<std::size_t>(got);
-        if (errno != EINTR && errno != EAGAIN) throw DecodeError("cannot be read: " + system_words(errno));
+        if (errno != EINTR && errno != EAGAIN) throw DecodeError("cannot be read: " + reason(errno));
     }
 }
 
@@ -53,7 +53,7 @@ void write_all(int to, const char* bytes, std::size_t size) {
     while (size > 0) {
         const ssize_t written = ::write(to, bytes, size);
         if (written < 0 && errno == EINTR) continue;
-        if (written < 0) throw DecodeError("cannot be kept while it is read: " + system_words(errno));
+        if (written < 0) throw DecodeError("cannot be kept while it is read: " + reason(errno));
         bytes += written;
         size -= static_cast<std::size_t>(written);
     }
@@ -106,7 +106,7 @@ void keep_input(int from, int to, std::uint64_t most, const std::stop_token& sto
 Descriptor kept_input(int from, const std::stop_token& stop) {
     std::string name = (temporary_folder() / "dapple-XXXXXX").native();
     Descriptor file(::mkostemp(name.data(), O_CLOEXEC));
-    if (!file) throw DecodeError("cannot be kept while it is read: " + system_words(errno));
+    if (!file) throw DecodeError("cannot be kept while it is read: " + reason(errno));
     ::unlink(name.c_str());
     keep_input(from, file.get(), kMostKeptBytes, stop);
     return file;
@@ -194,12 +194,6 @@ bool is_camera_raw(const TiffPage& page) {
     const std::uint64_t photometric = page.entry(kPhotometric).value_or(0);
     return page.entry(kDngVersion) || photometric == kColourFilters || photometric == kLinearRaw ||
            ((page.entry(kSubfileType).value_or(0) & kReduced) != 0 && page.entry(kPagesWithin));
-}
-
-namespace fs = std::filesystem;
-
-std::string reason(int error) {
-    return std::generic_category().message(error);
 }
 
 void wait_at_reading(const Descriptor& file) {
