@@ -86,8 +86,7 @@ EnvironmentMap map_of(const LightsOptions& options) {
     if (file.ends_at_white)
         fmt::print(stderr,
                    "dapple: {}: this picture has no light above white, so that a sun in it is far too dim; a "
-                   ".hdr or "
-                   ".exr has all of it\n",
+                   ".hdr or .exr has all of it\n",
                    name);
     return std::move(file.map);
 }
@@ -140,11 +139,10 @@ void lights(const LightsOptions& options) {
                    printable(options.output.string()), grouped(count), bytes / 1e9,
                    kMemoryOfOne * static_cast<double>(count) / 1e9);
     if (!meets_itself(tile.tile()))
-        fmt::print(
-            stderr,
-            "dapple: {}: this tile's left and right sides do not fit each other, so samples may lie close "
-            "together where the map's sides meet\n",
-            printable(options.tile));
+        fmt::print(stderr,
+                   "dapple: {}: this tile's left and right sides do not fit each other, so samples may lie "
+                   "close together where the map's sides meet\n",
+                   printable(options.tile));
     const LightSamples samples = light_samples(map, tile, options.request);
 
     save_lights(
@@ -205,8 +203,7 @@ LightsCommand::LightsCommand(CLI::App& program, std::function<void(const ShownMa
                "random, without any bias");
     add_choice(*command, "--order", request.order,
                "priority: the most important first, so that the first few are a set of their own, once the "
-               "weight of "
-               "each of the others goes to the nearest of them. placed: as the tile has them");
+               "weight of each of the others goes to the nearest of them. placed: as the tile has them");
     command->add_flag_callback(
         "--mis-compensation", [&request] { request.importance = LightImportance::compensated; },
         "Sample only light above the mean: for multiple importance sampling");

@@ -267,8 +267,7 @@ constexpr const char* kExamples =
     "  dapple render cat.jpg -o cat.svg --page a4 --pens cmyk:0.3   a layer for each of four pens\n"
     "  dapple render cat.jpg -o cat.svg --page 8.5x11in --fit fill --margin 0.5in\n"
     "  dapple render cat.jpg -o part.svg --width 2000 --sheet 2,1/3x4   one sheet of a mural\n"
-    "  dapple render cat.jpg -o mural.pdf --width 1000 --sheets 4x4 --overlap 10   all of them, and a "
-    "plan\n"
+    "  dapple render cat.jpg -o mural.pdf --width 1000 --sheets 4x4 --overlap 10   all of them, and a plan\n"
     "  dapple render cat.jpg -o eye.svg --region 60,40,80x50   a detail, to try pen and paper\n"
     "  dapple render cat.jpg -o cat.csv --stats cat.json   the dots as numbers, and figures about them\n"
     "  dapple render cat.jpg -o cat.gcode --gcode laser --feed 6000 --dwell 0.02\n"
@@ -334,10 +333,10 @@ WorkShare share_of_rank() {
 }  // namespace
 
 RenderCommand::RenderCommand(CLI::App& program) {
-    CLI::App* const command = program.add_subcommand("render",
-                                                     "Stipple a picture into a file: SVG, G-code, HPGL and "
-                                                     "DXF for plotters and lasers, PDF, PNG and TIFF for "
-                                                     "print, CSV and JSON as tables");
+    CLI::App* const command =
+        program.add_subcommand("render",
+                               "Stipple a picture into a file: SVG, G-code, HPGL and DXF for plotters and "
+                               "lasers, PDF, PNG and TIFF for print, CSV and JSON as tables");
     add_input_options(*command);  // taken before the other options, which say otherwise
     add_output_options(*command);
     add_dot_options(*command, options_.drawing);
@@ -365,8 +364,7 @@ void RenderCommand::add_input_options(CLI::App& command) {
             "image", read_image,
             "The picture, - for the standard input, or a project (.dapple) that the window saved, whose "
             "settings the other options change; without one, the built-in sample. Several pictures become as "
-            "many "
-            "drawings in a folder")
+            "many drawings in a folder")
         ->type_name("IMAGE");
     add_settings_options(command, options_.drawing, [this](const SavedSettings& settings) {
         options_.drawing = settings.drawing;

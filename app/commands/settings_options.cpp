@@ -29,10 +29,9 @@ ProjectInput read_project_input(const std::filesystem::path& file) {
     if (!project.why_missing.empty()) throw std::runtime_error(project.why_missing);
     input.picture = std::move(project.picture);
     if (!photograph)
-        throw std::runtime_error(
-            printable(file.native()) +
-            ": shows a plain density, which the window alone draws; choose the photograph "
-            "there, under The method, and save it again");
+        throw std::runtime_error(printable(file.native()) +
+                                 ": shows a plain density, which the window alone draws; choose the "
+                                 "photograph there, under The method, and save it again");
     return input;
 }
 
@@ -74,15 +73,11 @@ void add_gcode_options(CLI::App& command, SavingChoice& saving) {
 
 const char* gcode_help() {
     return "A template for --gcode is a text whose lines begin with start, move, dot or end: what is written "
-           "once "
-           "before the dots, for the way to each dot, at each dot, and once after them. {x} and {y} stand "
-           "for the "
-           "dot's place in mm from the lower left corner, {radius} for its radius, {feed}, {dwell}, {up}, "
-           "{down} and {power} for the options, {burn} for the feed at which 0.05 mm take as long as the "
-           "dwell. For lines to draw, lines that begin with down, line and up "
-           "say what begins one, leads "
-           "to each "
-           "next point, and ends it. A pen that a servo turns:\n"
+           "once before the dots, for the way to each dot, at each dot, and once after them. {x} and {y} "
+           "stand for the dot's place in mm from the lower left corner, {radius} for its radius, {feed}, "
+           "{dwell}, {up}, {down} and {power} for the options, {burn} for the feed at which 0.05 mm take as "
+           "long as the dwell. For lines to draw, lines that begin with down, line and up say what begins "
+           "one, leads to each next point, and ends it. A pen that a servo turns:\n"
            "  start G21\n"
            "  start G90\n"
            "  move G1 X{x} Y{y} F{feed}\n"
@@ -141,9 +136,8 @@ void add_mask_options(CLI::App& command, Mask& mask, const PictureLimit& limit) 
         .add_option_function<std::string>(
             "--finer", read_finer,
             "A grey picture laid over the picture as --mask is: black changes nothing, lighter gives more "
-            "and "
-            "smaller dots at the same tone, white four times as many of half the width. none: drops what the "
-            "project or --mask has of it")
+            "and smaller dots at the same tone, white four times as many of half the width. none: drops what "
+            "the project or --mask has of it")
         ->type_name("FILE|none")
         ->group("Tone");
 }

@@ -19,9 +19,8 @@ LightPicture picture_of(std::span<const Value> pixels, int width, int height, in
                         const LightOf& light_of) {
     if (width < 1 || height < 1 || channels < 1 || channels > 4)
         throw failure(
-            "a picture of {} x {} pixels with {} channels; sides are 1 or more, and channels 1 "
-            "to 4",
-            width, height, channels);
+            "a picture of {} x {} pixels with {} channels; sides are 1 or more, and channels 1 to 4", width,
+            height, channels);
     const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     const auto each = static_cast<std::size_t>(channels);
     if (pixels.size() != count * each)
@@ -68,9 +67,8 @@ LightPicture picture_of_srgb(std::span<const float> pixels, int width, int heigh
     const auto wrong = std::ranges::find_if(pixels, [](float value) { return !(value >= 0 && value <= 1); });
     if (wrong != pixels.end())
         throw failure(
-            "a picture has the value {}; sRGB-encoded numbers are within 0 to 1, and linear "
-            "light alone may be "
-            "more",
+            "a picture has the value {}; sRGB-encoded numbers are within 0 to 1, and linear light alone may "
+            "be more",
             *wrong);
     return picture_of(pixels, width, height, channels, 1, srgb_to_linear);
 }

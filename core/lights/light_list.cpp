@@ -191,9 +191,8 @@ void write_light_gltf(std::ostream& out, const LightSamples& lights, const Light
     TextBuffer text(out);
     text << "{\n\"asset\": {\"version\": \"2.0\", \"generator\": \"Dapple\", \"extras\": {\"what\": \"";
     put_what_it_is(text, lights, style);
-    text
-        << "\"}},\n\"extensionsUsed\": [\"KHR_lights_punctual\"],\n\"extensions\": {\"KHR_lights_punctual\": "
-           "{\"lights\": [";
+    text << "\"}},\n\"extensionsUsed\": [\"KHR_lights_punctual\"],\n\"extensions\": "
+            "{\"KHR_lights_punctual\": {\"lights\": [";
     for (std::size_t i = 0; i < lights.samples.size(); ++i) {
         const Strength strength(lights.samples[i].weight);
         text << (i == 0 ? "" : ",") << "\n{\"type\": \"directional\", \"color\": [";
@@ -220,8 +219,8 @@ void write_light_blender(std::ostream& out, const LightSamples& lights, const Li
     text << "# ";
     put_what_it_is(text, lights, style);
     text << "\n# To be run in Blender: blender scene.blend --python THIS_FILE. The world's own light is left "
-            "as it "
-            "is.\nimport bpy\n\n# The rotation w, x, y, z, the colour, the strength, the width in radians.\n"
+            "as it is.\nimport bpy\n\n# The rotation w, x, y, z, the colour, the strength, the width in "
+            "radians.\n"
             "lights = [\n";
     for (const LightSample& sample : lights.samples) {
         const Quaternion turn(direction_of(sample, style));

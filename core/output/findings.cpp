@@ -172,8 +172,8 @@ void add_ink(std::vector<Finding>& found, const DrawingFacts& facts) {
         tell(found, FindingKind::rings,
              fmt::format("a plotter follows the circles' outlines: {} of rings",
                          way_in_words(measured.rings_m)),
-             "with the dot shape point it touches the paper once for each, and a spiral or a "
-             "hatch fills them");
+             "with the dot shape point it touches the paper once for each, and a spiral or a hatch fills "
+             "them");
     const double share = share_of(measured.overlapping, facts);
     if (is_drawn_by_pen(facts) && share >= kTold) {
         const bool lines = facts.ink.as == DotsAs::lines;
@@ -199,8 +199,7 @@ void add_pens(std::vector<Finding>& found, const DrawingFacts& facts) {
         if (draws_few && facts.whole_page && is_drawn_by_pen(facts))
             tell(found, FindingKind::few,
                  fmt::format("{} draws only {} of the dots", pen.name, grouped(pen.dots)),
-                 "without that pen the drawing looks nearly the same, and one change of pens is "
-                 "saved");
+                 "without that pen the drawing looks nearly the same, and one change of pens is saved");
     }
 }
 
@@ -213,8 +212,8 @@ void add_joined(std::vector<Finding>& found, const DrawingFacts& facts) {
     const double apart =
         facts.whole_page ? in_two_digits(static_cast<double>(facts.dots) / (wider * wider)) : 0;
     tell(found, FindingKind::joined,
-         fmt::format("{} {} nearer to others than {:g} mm, which saxi joins by a line, and {} nearer "
-                     "than {:g} mm, which AxiDraw's program does",
+         fmt::format("{} {} nearer to others than {:g} mm, which saxi joins by a line, and {} nearer than "
+                     "{:g} mm, which AxiDraw's program does",
                      dots_in_words(measured.nearer_than_saxi), measured.nearer_than_saxi == 1 ? "is" : "are",
                      kSaxiJoins, grouped(measured.nearer_than_axidraw), kAxiDrawJoins),
          apart >= 1 ? fmt::format("{} dots or a page {:.1f} times as wide part them", about(apart), wider)
@@ -248,12 +247,11 @@ void add_edges(std::vector<Finding>& found, const DrawingFacts& facts) {
 void add_travel(std::vector<Finding>& found, const DrawingFacts& facts) {
     const double longest = std::max(facts.page.width_mm, facts.page.height_mm);
     if (facts.reach_mm > 0 && longest > facts.reach_mm)
-        tell(
-            found, FindingKind::too_large,
-            fmt::format("the page, {:.0f} x {:.0f} mm, is larger than the {:.0f} mm up to which pen plotters "
-                        "read HPGL's numbers",
-                        facts.page.width_mm, facts.page.height_mm, std::floor(facts.reach_mm)),
-            "a smaller page or several sheets fit");
+        tell(found, FindingKind::too_large,
+             fmt::format("the page, {:.0f} x {:.0f} mm, is larger than the {:.0f} mm up to which pen "
+                         "plotters read HPGL's numbers",
+                         facts.page.width_mm, facts.page.height_mm, std::floor(facts.reach_mm)),
+             "a smaller page or several sheets fit");
     if (!facts.machine) return;
     const auto travel = travel_of(*facts.machine);
     if (!travel) return;
@@ -263,8 +261,7 @@ void add_travel(std::vector<Finding>& found, const DrawingFacts& facts) {
         std::min(width, height) <= travel->shorter_mm + 0.5)
         return;
     tell(found, FindingKind::too_large,
-         fmt::format("the page, {:.0f} x {:.0f} mm, is larger than the {:.0f} x {:.0f} mm that {} "
-                     "reaches",
+         fmt::format("the page, {:.0f} x {:.0f} mm, is larger than the {:.0f} x {:.0f} mm that {} reaches",
                      width, height, travel->longer_mm, travel->shorter_mm, words_for(*facts.machine)),
          "a smaller page or several sheets fit");
 }
@@ -315,13 +312,12 @@ void add_gcode(std::vector<Finding>& found, const DrawingFacts& facts) {
     const DrawingFacts::Gcode& gcode = facts.gcode;
     if (gcode.no_time)
         tell(found, FindingKind::no_time,
-             "at each dot the tool is turned there and back at once: a servo has no time to lower "
-             "the pen, and a laser none to burn",
+             "at each dot the tool is turned there and back at once: a servo has no time to lower the pen, "
+             "and a laser none to burn",
              "a rest between the two, such as G4 P{dwell} with a dwell above 0, gives it some");
     if (gcode.milliseconds)
         tell(found, FindingKind::milliseconds,
-             "M280 is Marlin's, which reads the number after G4 P as milliseconds, and {dwell} is "
-             "in seconds",
+             "M280 is Marlin's, which reads the number after G4 P as milliseconds, and {dwell} is in seconds",
              "G4 S{dwell} rests as long as it says");
     if (gcode.lines_per_s > gcode.most_lines_per_s)
         tell(found, FindingKind::serial,
@@ -368,8 +364,8 @@ std::vector<Finding> findings_of(const DrawingFacts& facts) {
              "hide that layer, or leave the tile boundaries out");
     if (facts.has_background)
         tell(found, FindingKind::background,
-             "the layer \"% Background\" is a shape as large as the page, which AxiDraw's software "
-             "skips and other programs plot",
+             "the layer \"% Background\" is a shape as large as the page, which AxiDraw's software skips and "
+             "other programs plot",
              "hide that layer, or leave the background out");
     add_dwell(found, facts);
     add_gcode(found, facts);

@@ -522,8 +522,7 @@ class GcodeWriter : public InkWriter {
         if (lines_.line.empty())
             throw std::runtime_error(
                 "the template for G-code does not say how to draw lines; add lines that begin with down, "
-                "line "
-                "and up");
+                "line and up");
         write(lines_.move, points[0], radius_mm);
         write(lines_.down, points[0], radius_mm);
         for (const glm::dvec2 p : points.subspan(1)) write(lines_.line, p, radius_mm);

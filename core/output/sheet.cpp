@@ -45,8 +45,7 @@ std::vector<std::string> steps_for(const AssemblyPlan& plan) {
     if (overlap > 0) {
         if (sheets.columns > 1)
             lines.push_back(
-                fmt::format("2. From column B on, cut {:g} mm off each sheet's left side, along "
-                            "the marks.",
+                fmt::format("2. From column B on, cut {:g} mm off each sheet's left side, along the marks.",
                             overlap / 2));
         if (sheets.rows > 1)
             lines.push_back(fmt::format("{} From row 2 on, cut {:g} mm off each sheet's upper side.",
@@ -129,10 +128,8 @@ void write_assembly_plan(std::ostream& out, const AssemblyPlan& plan) {
         lines.push_back(
             fmt::format("Grey: the {:g} mm that neighbours share. Dashed: where to cut.", sheets.overlap_mm));
     if (several)
-        lines.push_back(
-            fmt::format("The next sheet begins {:.5g} mm further right, or {:.5g} mm further "
-                        "down.",
-                        step.x, step.y));
+        lines.push_back(fmt::format(
+            "The next sheet begins {:.5g} mm further right, or {:.5g} mm further down.", step.x, step.y));
     for (std::string& line : steps_for(plan)) lines.push_back(std::move(line));
     double y = kPictureTop + kPictureHeight + 14;
     for (const std::string& line : lines) {
@@ -171,8 +168,8 @@ void check_overlap(const PageSize& page, const Sheet& sheet) {
     const double across = page.width_mm / (sheet.columns + 1), down = page.height_mm / (sheet.rows + 1);
     if (overlap.x < across && overlap.y < down) return;
     throw failure(
-        "an overlap of {:g} mm is too wide for {} x {} sheets of a page of {:.4g} x {:.4g} mm; "
-        "choose less than {:.3g} mm",
+        "an overlap of {:g} mm is too wide for {} x {} sheets of a page of {:.4g} x {:.4g} mm; choose less "
+        "than {:.3g} mm",
         sheet.overlap_mm, sheet.columns, sheet.rows, page.width_mm, page.height_mm,
         std::min(sheet.columns > 1 ? across : down, sheet.rows > 1 ? down : across));
 }
@@ -255,8 +252,8 @@ Rectangle<double> parse_region(std::string_view text) {
     const auto lengths = lengths_of_region(text);
     if (!lengths) {
         throw failure(
-            "'{}' is not a region; write X,Y,WIDTHxHEIGHT, for example 20,15,100x80 in "
-            "millimetres or 1,1,4x3in",
+            "'{}' is not a region; write X,Y,WIDTHxHEIGHT, for example 20,15,100x80 in millimetres or "
+            "1,1,4x3in",
             text);
     }
     const auto [x, y, width, height] = *lengths;

@@ -112,8 +112,8 @@ void check_pen(const Pen& pen) {
             pen.name);
     if (pen.width_mm < kFinestTestedMm)
         throw failure(
-            "{} is {:g} mm wide, and a test sheet would have millions of its dots; give the width "
-            "of a real pen, {:g} mm or more",
+            "{} is {:g} mm wide, and a test sheet would have millions of its dots; give the width of a real "
+            "pen, {:g} mm or more",
             pen.name, pen.width_mm, kFinestTestedMm);
     if (pen.width_mm > kWidestTestedMm)
         throw failure("{} is {:g} mm wide; a test sheet has room for up to {:g} mm", pen.name, pen.width_mm,
@@ -138,10 +138,8 @@ TestSheet test_sheet(std::span<const Pen> pens, const PageSize& page) {
     const double room = page.width_mm - 2 * kBorderMm;
     constexpr double kLeastRoomMm = 150, kHeaderMm = 2, kHeadedMm = 6, kBetweenMm = 3;
     if (room < kLeastRoomMm)
-        throw failure(
-            "a test sheet is {:g} mm wide, and the page is {:g}; give "
-            "a4 or a larger page",
-            kLeastRoomMm + 2 * kBorderMm, page.width_mm);
+        throw failure("a test sheet is {:g} mm wide, and the page is {:g}; give a4 or a larger page",
+                      kLeastRoomMm + 2 * kBorderMm, page.width_mm);
     TestSheet sheet;
     glm::dvec2 corner(kBorderMm, kBorderMm + kHeadedMm);
     for (std::size_t i = 0; i < pens.size(); ++i) {
@@ -156,8 +154,8 @@ TestSheet test_sheet(std::span<const Pen> pens, const PageSize& page) {
     for (const glm::dvec2 point : sheet.strokes.points) lowest = std::max(lowest, point.y);
     if (lowest > page.height_mm - kBorderMm / 2)
         throw failure(
-            "the test sheet of these pens is {:.0f} mm high, and the page is {:g}; give fewer "
-            "pens, or a larger page",
+            "the test sheet of these pens is {:.0f} mm high, and the page is {:g}; give fewer pens, or a "
+            "larger page",
             lowest + kBorderMm / 2, page.height_mm);
     return sheet;
 }

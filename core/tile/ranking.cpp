@@ -146,9 +146,8 @@ std::vector<int> farthest_order(const std::vector<glm::dvec2>& placed, std::vect
 }
 
 // Void and cluster (Ulichney 1993) on a given set of candidates: the Gaussian narrows as the points get
-// denser. All kinds go on together, point by point; `placed` and `positions` are theirs, kind after kind,
-// and equally many of each.
-// Candidates of a lower stage come first, if stages are given.
+// denser. All kinds go on together, point by point; `placed` and `positions` are theirs, kind after kind, and
+// equally many of each. Candidates of a lower stage come first, if stages are given.
 std::vector<int> energy_order(const std::vector<glm::dvec2>& placed, const std::vector<glm::dvec2>& positions,
                               const std::vector<std::vector<Neighbour>>& copies,
                               std::span<const int> stage = {}) {

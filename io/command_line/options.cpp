@@ -222,10 +222,9 @@ std::uint64_t count_in(const std::string& text, std::uint64_t most) {
 }
 
 CLI::Option* add_ranking(CLI::App& app, std::optional<RankingMethod>& ranking) {
-    return add_choice(
-        app, "--ranking", ranking,
-        "Order in which a tile's dots appear: paper, farthest or energy; without it, the one kept "
-        "with the tile");
+    return add_choice(app, "--ranking", ranking,
+                      "Order in which a tile's dots appear: paper, farthest or energy; without it, the one "
+                      "kept with the tile");
 }
 
 CLI::Option* add_tile(CLI::App& app, std::string& tile) {
@@ -249,8 +248,8 @@ void add_dot_options(CLI::App& app, DrawingSettings& settings) {
     add_text(app, setting::scale, read_scale);
 
     add_choice(app, "--placer", settings.placer,
-               "exact: every dot once; figure8: as printed in the article, which emits about a quarter "
-               "of the dots twice and makes about as many as --dots says");
+               "exact: every dot once; figure8: as printed in the article, which emits about a quarter of "
+               "the dots twice and makes about as many as --dots says");
     add_tile(app, settings.tile);
 
     add_ranking(app, settings.ranking);
@@ -272,16 +271,16 @@ void add_dot_options(CLI::App& app, DrawingSettings& settings) {
 
 void add_style_options(CLI::App& app, DrawingSettings& settings) {
     const Heading heading(app, "Dots");
-    add_choice(app, "--style", settings.style,
-               "dots: each by itself; line: one line through all dots, by a short route, which takes some "
-               "seconds to find, or in --order; nearest: lines from each dot to its nearest few, of which no "
-               "two cross");
+    add_choice(
+        app, "--style", settings.style,
+        "dots: each by itself; line: one line through all dots, by a short route, which takes some seconds "
+        "to find, or in --order; nearest: lines from each dot to its nearest few, of which no two cross");
     add_text(
         app, "--dot-shape", "SHAPE|PATH",
         [&settings](const std::string& text) { settings.mark = parse_dot_mark(text); },
         "What a dot is: circle, a filled one; point, the pen down and up; stroke, a short one; spiral or "
-        "hatch, filled by the pen's width; ring; cross; or an SVG path in a box from 0,0 to 1,1, as in "
-        "'M0,0 L1,1', of M, L, H, V, C, Q, A and Z")
+        "hatch, filled by the pen's width; ring; cross; or an SVG path in a box from 0,0 to 1,1, as in 'M0,0 "
+        "L1,1', of M, L, H, V, C, Q, A and Z")
         ->default_str(text_of(settings.mark));
     add_length(app, setting::pen_width, settings.pen_width_mm);
     add_number(app, setting::contours, settings.contours);
@@ -324,10 +323,9 @@ void add_tone_options(CLI::App& app, DrawingSettings& settings) {
 void add_page_options(CLI::App& app, DrawingSettings& settings) {
     const Heading heading(app, "Page");
     PageSetup& page = settings.page;
-    add_paper(
-        app, page,
-        "A paper, a0 to a6, b0 to b6, letter, legal, tabloid, ansi-c to ansi-e, arch-a to arch-e, or a size "
-        "such as 210x297 or 8.5x11in. Without it, the page has the picture's shape");
+    add_paper(app, page,
+              "A paper, a0 to a6, b0 to b6, letter, legal, tabloid, ansi-c to ansi-e, arch-a to arch-e, or a "
+              "size such as 210x297 or 8.5x11in. Without it, the page has the picture's shape");
     add_choice(app, setting::orientation, page.orientation);
     add_length(app, setting::width, page.width_mm);
     add_text(app, setting::height,
@@ -367,14 +365,13 @@ void add_page_options(CLI::App& app, DrawingSettings& settings) {
 void add_arrangement_options(CLI::App& app, std::optional<DotOrder>& order, Sheet& sheet,
                              std::optional<Rectangle<double>>& region) {
     const Heading heading(app, "Page");
-    add_choice(
-        app, "--order", order,
-        "Order of the dots in the file, which is the order they are plotted in: shortest, a short "
-        "route, which for a million dots takes some seconds to find; space, each near the one before, found "
-        "at once; recursion, as they are placed, relaxed ones row by row; priority, the first n being nearly "
-        "the drawing with n dots, if they are not relaxed. Without it, shortest for SVG, G-code, HPGL and "
-        "DXF of up to a million dots, space of up to 5 million, else recursion. shortest, space, priority "
-        "and --placer figure8 hold all dots in memory");
+    add_choice(app, "--order", order,
+               "Order of the dots in the file, which is the order they are plotted in: shortest, a short "
+               "route, which for a million dots takes some seconds to find; space, each near the one before, "
+               "found at once; recursion, as they are placed, relaxed ones row by row; priority, the first n "
+               "being nearly the drawing with n dots, if they are not relaxed. Without it, shortest for SVG, "
+               "G-code, HPGL and DXF of up to a million dots, space of up to 5 million, else recursion. "
+               "shortest, space, priority and --placer figure8 hold all dots in memory");
     add_text(
         app, "--sheet", "C,R/CxR", [&sheet](const std::string& text) { sheet = parse_sheet(text); },
         "One sheet of a mural: 2,1/3x4 is column 2, row 1 of 3 columns and 4 rows; the page and --dots are "
@@ -421,9 +418,10 @@ void check_options(const CLI::App& command, DrawingSettings& settings, bool was_
             "cannot be given together with two radii: how many dots there are follows from their sizes");
     }
     if (given("--black") && settings.tone.black && (by_tone || settings.style != DrawingStyle::dots))
-        throw CLI::ValidationError("--black", by_tone ? "has no effect with two radii: such dots grow until "
-                                                        "black is solid; leave it out"
-                                                      : "has no effect on lines; leave it out");
+        throw CLI::ValidationError(
+            "--black", by_tone
+                           ? "has no effect with two radii: such dots grow until black is solid; leave it out"
+                           : "has no effect on lines; leave it out");
     if (settings.placer == PlacerKind::figure8 && given("--relax") && settings.relax.value_or(0) > 0)
         throw CLI::ValidationError("--relax",
                                    "the figure8 placer's dots stay where they are placed; leave it out");

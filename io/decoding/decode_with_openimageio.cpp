@@ -184,8 +184,7 @@ RadianceHeader radiance_header(int file) {
         if (line->starts_with("FORMAT=32-bit_rle_xyze"))
             throw DecodeError(
                 "has colours as XYZ, which cannot be read here; Radiance's ra_xyze -r makes them red, green "
-                "and "
-                "blue");
+                "and blue");
         if (line->starts_with("FORMAT=") && line->find("32-bit_rle_rgbe") == line->npos)
             throw DecodeError("has pixels of a format that is not Radiance's: " +
                               std::string(line->substr(7)));
