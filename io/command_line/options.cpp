@@ -27,10 +27,6 @@ double in_range(const std::string& text, std::optional<double> value, const Numb
     return *value;
 }
 
-double number_in(const std::string& text, const NumberRange& range) {
-    return in_range(text, number_of<double>(text), range, "a number");
-}
-
 // In millimetres.
 double length_in(const std::string& text, const NumberRange& range) {
     return in_range(text, millimetres_of(text), range, "a length in mm, cm, in or pt");
@@ -125,24 +121,8 @@ CLI::Option* add_text(CLI::App& app, const std::string& name, const std::string&
     return app.add_option_function<std::string>(name, take, help)->type_name(unit);
 }
 
-CLI::Option* add_number(CLI::App& app, const std::string& name, double& target, const NumberRange& range,
-                        const std::string& unit, const std::string& help) {
-    const auto read = [=, &target](const std::string& text) { target = number_in(text, range); };
-    return add_text(app, name, unit, read, help)->default_str(fmt::format("{:g}", target));
-}
-
-CLI::Option* add_number(CLI::App& app, const std::string& name, float& target, const NumberRange& range,
-                        const std::string& unit, const std::string& help) {
-    const auto read = [=, &target](const std::string& text) {
-        target = static_cast<float>(number_in(text, range));
-    };
-    return add_text(app, name, unit, read, help)->default_str(fmt::format("{:g}", target));
-}
-
-CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<double>& target,
-                        const NumberRange& range, const std::string& unit, const std::string& help) {
-    const auto read = [=, &target](const std::string& text) { target = number_in(text, range); };
-    return add_text(app, name, unit, read, help);
+double number_in(const std::string& text, const NumberRange& range) {
+    return in_range(text, number_of<double>(text), range, "a number");
 }
 
 CLI::Option* add_length(CLI::App& app, const std::string& name, double& target, const NumberRange& range,
@@ -397,36 +377,34 @@ void check_options(const CLI::App& command, DrawingSettings& settings, bool was_
         const CLI::Option* const option = command.get_option_no_throw(name);
         return option && option->count() > 0;
     };
+    const auto refuse_if = [&](bool wrong, const char* name, const char* why) {
+        if (wrong && given(name)) throw CLI::ValidationError(name, why);
+    };
     for (const char* name : {"--black-point", "--white-point", "--contrast", "--brightness", "--gamma"}) {
         if (!given(name)) continue;
         if (given("--tone") && settings.automatic_tone)
             throw CLI::ValidationError("--tone", fmt::format("auto cannot be given together with {}", name));
         settings.automatic_tone = false;
     }
-    if (given("--tone-strength") && !settings.automatic_tone)
-        throw CLI::ValidationError("--tone-strength",
-                                   "applies to automatic tone only; leave it out, or give --tone auto");
+    refuse_if(!settings.automatic_tone, "--tone-strength",
+              "applies to automatic tone only; leave it out, or give --tone auto");
     // True light is left as it is.
     if (was_automatic != settings.automatic_tone && !given("--detail"))
         settings.tone.detail = settings.automatic_tone ? kAutoDetail : 0;
     if (was_automatic != settings.automatic_tone && !given("--black")) settings.tone.black.reset();
     const bool by_tone = settings.dot_size.sizing == DotSizing::by_tone;
-    for (const char* name : {"--dots", "--scale"}) {
-        if (!by_tone || !given(name)) continue;
-        throw CLI::ValidationError(
-            name,
+    for (const char* name : {"--dots", "--scale"})
+        refuse_if(
+            by_tone, name,
             "cannot be given together with two radii: how many dots there are follows from their sizes");
-    }
-    if (given("--black") && settings.tone.black && (by_tone || settings.style != DrawingStyle::dots))
-        throw CLI::ValidationError(
-            "--black", by_tone
-                           ? "has no effect with two radii: such dots grow until black is solid; leave it out"
-                           : "has no effect on lines; leave it out");
-    if (settings.placer == PlacerKind::figure8 && given("--relax") && settings.relax.value_or(0) > 0)
-        throw CLI::ValidationError("--relax",
-                                   "the figure8 placer's dots stay where they are placed; leave it out");
-    if (command.count("--dots") > 0 && command.count("--scale") > 0)
-        throw CLI::ValidationError("--dots", "cannot be given together with --scale");
+    refuse_if(settings.tone.black && by_tone, "--black",
+              "has no effect with two radii: such dots grow until black is solid; leave it out");
+    refuse_if(settings.tone.black && settings.style != DrawingStyle::dots, "--black",
+              "has no effect on lines; leave it out");
+    const bool figure8 = settings.placer == PlacerKind::figure8;
+    refuse_if(figure8 && settings.relax.value_or(0) > 0, "--relax",
+              "the figure8 placer's dots stay where they are placed; leave it out");
+    refuse_if(given("--scale"), "--dots", "cannot be given together with --scale");
     // Both make a page of that size.
     PageSetup& page = settings.page;
     if (given("--width") && given("--height")) {
@@ -445,9 +423,7 @@ void check_options(const CLI::App& command, DrawingSettings& settings, bool was_
     }
     if (settings.tone.black_point >= settings.tone.white_point)
         throw CLI::ValidationError("--black-point", "must be below --white-point");
-    if (settings.placer == PlacerKind::figure8) {
-        refuse(command, {"--ranking"}, "the figure8 placer has an order of its own; leave it out");
-    }
+    refuse_if(figure8, "--ranking", "the figure8 placer has an order of its own; leave it out");
 }
 
 }  // namespace dapple
