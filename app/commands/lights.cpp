@@ -165,11 +165,10 @@ void compare_lights(const LightsOptions& options) {
     save_atomically(options.output, [&](std::ostream& out) {
         const std::string ending = ending_of(options.output);
         if (ending == ".csv") return write_comparison_csv(out, comparison);
-        if (ending == ".html") {
+        if (ending == ".html")
             out << comparison_page(comparison, source_of(options));
-        } else {
+        else
             out << comparison_plot(comparison) << '\n';
-        }
     });
     fmt::print("{}", comparison_table(comparison));
 }

@@ -285,11 +285,10 @@ std::vector<LightRegion> share_light(const EnvironmentMap& map, const Grid<float
         if (!watch.goes_on(kOwnersShare + (1 - kOwnersShare) * j / grid.rows())) return {};
         RowPart upper, lower;
         std::swap(above, below);
-        if (j > 0) {
+        if (j > 0)
             upper = part_of_row(map, j - 1, Side::below);
-        } else {
+        else
             std::ranges::fill(above, Pair{});
-        }
         if (j < map.height()) {
             lower = part_of_row(map, j, Side::above);
             pairs.of_row(j, below);

@@ -305,11 +305,10 @@ Ranking rank(const Tile& tile, RankingMethod method) {
                 ranks_of_stages(tile.size(), stages_of_ranks(tile.size(), newborn))};
     }
     Ranking ranking{half_way(farthest_point_ranks(tile), 0), {}};
-    if (method == RankingMethod::farthest) {
+    if (method == RankingMethod::farthest)
         ranking.newborn = half_way(farthest_order(own, born, legal_neighbours(tile.rule)), count);
-    } else {
+    else
         ranking.newborn = paper_newborn_ranks(tile, ranking.tile);
-    }
     return ranking;
 }
 

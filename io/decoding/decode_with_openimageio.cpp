@@ -469,11 +469,10 @@ Channels channels_of(const OIIO::ImageSpec& spec, PictureFormat format) {
         for (int i = 0; i < spec.nchannels; ++i)
             if (i != channels.alpha) others.push_back(i);
         if (others.empty()) others.push_back(0);
-        if (others.size() >= 3) {
+        if (others.size() >= 3)
             channels.colour = {others[0], others[1], others[2]};
-        } else {
+        else
             channels.colour.fill(others[0]);
-        }
     }
     if (channels.alpha && *channels.alpha == channels.colour[0]) channels.alpha.reset();
     return channels;

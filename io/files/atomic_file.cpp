@@ -322,11 +322,10 @@ void save_atomically(const fs::path& target, const std::function<void(std::ostre
     const fs::path destination = destination_of(target);
     std::error_code error;
     const fs::file_status status = fs::status(destination, error);
-    if (fs::exists(status) && !fs::is_regular_file(status)) {
+    if (fs::exists(status) && !fs::is_regular_file(status))
         write_directly(destination, write);
-    } else {
+    else
         write_beside(destination, write);
-    }
 }
 
 }  // namespace dapple
