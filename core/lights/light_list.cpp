@@ -101,13 +101,12 @@ void write_light_json(std::ostream& out, const LightSamples& lights, const Light
          << ",\n\"count\": " << static_cast<std::int64_t>(lights.samples.size()) << ",\n\"total_flux\": ["
          << Three{lights.total_flux, ", "} << "],\n\"samples\": [";
     bool first = true;
-    for (const LightSample& sample : lights.samples) {
+    for (const LightSample& sample : lights.samples)
         text << (std::exchange(first, false) ? "\n{\"direction\": [" : ",\n{\"direction\": [")
              << Three{direction_of(sample, style), ", "} << "], \"u\": " << sample.uv.x
              << ", \"v\": " << sample.uv.y << ", \"radiance\": [" << Three{sample.radiance, ", "}
              << "], \"pdf\": " << sample.pdf << ", \"weight\": [" << Three{sample.weight, ", "}
              << "], \"angular_radius\": " << angular_radius(sample, lights.samples.size()) << '}';
-    }
     text << "\n]\n}\n";
     text.flush();
 }
@@ -123,11 +122,10 @@ void write_light_csv(std::ostream& out, const LightSamples& lights, const LightL
          << "\n# count: " << static_cast<std::int64_t>(lights.samples.size())
          << "\n# total_flux: " << Three{lights.total_flux, " "} << '\n';
     text << "x,y,z,u,v,radiance_r,radiance_g,radiance_b,pdf,weight_r,weight_g,weight_b,angular_radius\n";
-    for (const LightSample& sample : lights.samples) {
+    for (const LightSample& sample : lights.samples)
         text << Three{direction_of(sample, style), ","} << ',' << sample.uv.x << ',' << sample.uv.y << ','
              << Three{sample.radiance, ","} << ',' << sample.pdf << ',' << Three{sample.weight, ","} << ','
              << angular_radius(sample, lights.samples.size()) << '\n';
-    }
     text.flush();
 }
 
@@ -136,11 +134,10 @@ void write_light_pbrt(std::ostream& out, const LightSamples& lights, const Light
     text << "# ";
     put_what_it_is(text, lights, style);
     text << "\n";
-    for (const LightSample& sample : lights.samples) {
+    for (const LightSample& sample : lights.samples)
         text << "LightSource \"distant\" \"point3 from\" [ " << Three{direction_of(sample, style), " "}
              << " ] \"point3 to\" [ 0 0 0 ] \"rgb L\" [ " << Three{sample.weight, " "}
              << " ] \"float scale\" [ 1 ]\n";
-    }
     text.flush();
 }
 

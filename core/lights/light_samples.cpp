@@ -2,22 +2,16 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <cstdint>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numbers>
 #include <numeric>
-#include <optional>
 #include <queue>
-#include <span>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
-#include <vector>
 
 #include "core/failure.h"
-#include "core/image/environment.h"
 #include "core/lights/direction.h"
 #include "core/lights/settling.h"
 #include "core/maths/portable_math.h"

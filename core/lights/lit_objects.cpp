@@ -8,7 +8,6 @@
 #include <glm/geometric.hpp>
 #include <iterator>
 #include <numbers>
-#include <vector>
 
 #include "core/lights/direction.h"
 #include "core/lights/light_picture.h"

@@ -5,13 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <glm/geometric.hpp>
 #include <optional>
 #include <stdexcept>
 #include <utility>
 
 #include "core/failure.h"
-#include "core/image/colour.h"
 #include "core/pens/separation.h"
 #include "core/text/length.h"
 #include "core/text/number_words.h"

@@ -1,7 +1,6 @@
 #include "core/strokes/dot_shape.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>

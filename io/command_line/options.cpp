@@ -1,6 +1,5 @@
 #include "io/command_line/options.h"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

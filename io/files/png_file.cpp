@@ -3,7 +3,6 @@
 #include <zlib.h>
 
 #include <cmath>
-#include <cstdint>
 #include <exception>
 #include <stdexcept>
 
