@@ -244,6 +244,17 @@ void add_edges(std::vector<Finding>& found, const DrawingFacts& facts) {
              fmt::format("margins wider by {:.1f} mm keep them out", reach), reach);
 }
 
+// How far a machine's pen reaches, the longer side first; nothing where machines of its kind differ. AxiDraws
+// by axidraw_conf.py.
+struct MachineTravel {
+    double longer_mm = 0, shorter_mm = 0;
+};
+std::optional<MachineTravel> travel_of(Machine machine) {
+    if (machine == Machine::axidraw_v3) return MachineTravel{11.81 * kMmPerInch, 8.58 * kMmPerInch};
+    if (machine == Machine::axidraw_se_a3) return MachineTravel{16.93 * kMmPerInch, 11.69 * kMmPerInch};
+    return std::nullopt;
+}
+
 void add_travel(std::vector<Finding>& found, const DrawingFacts& facts) {
     const double longest = std::max(facts.page.width_mm, facts.page.height_mm);
     if (facts.reach_mm > 0 && longest > facts.reach_mm)
@@ -335,12 +346,6 @@ void add_gcode(std::vector<Finding>& found, const DrawingFacts& facts) {
 
 std::string sentence_of(const Finding& finding) {
     return finding.text + "; " + finding.cure;
-}
-
-std::optional<MachineTravel> travel_of(Machine machine) {
-    if (machine == Machine::axidraw_v3) return MachineTravel{11.81 * kMmPerInch, 8.58 * kMmPerInch};
-    if (machine == Machine::axidraw_se_a3) return MachineTravel{16.93 * kMmPerInch, 11.69 * kMmPerInch};
-    return std::nullopt;
 }
 
 std::vector<Finding> findings_of(const DrawingFacts& facts) {

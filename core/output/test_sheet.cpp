@@ -72,6 +72,18 @@ void draw_tone(Drawn& drawn, glm::dvec2 corner, double side, double dot_width, i
         }
 }
 
+// The gaps of a pen's pairs that lie side by side on a sheet so wide, in millimetres, from 0 on.
+std::vector<double> tested_gaps(double pen_width_mm, double room_mm) {
+    constexpr double kMostOfWidth = 0.75;
+    constexpr std::size_t kMostGaps = 16;
+    const auto fit = static_cast<std::size_t>(room_mm / sizes_for(pen_width_mm).column);
+    const std::size_t count = std::clamp<std::size_t>(fit, 2, kMostGaps);
+    const double step = round_step(kMostOfWidth * pen_width_mm / static_cast<double>(count));
+    std::vector<double> gaps;
+    for (std::size_t i = 0; i < count; ++i) gaps.push_back(static_cast<double>(i) * step);
+    return gaps;
+}
+
 // Returns how high the block is.
 double draw_block(Drawn drawn, const Pen& pen, int number, glm::dvec2 corner, double room) {
     const auto [letter, pair_step, column, patch] = sizes_for(pen.width_mm);
@@ -121,17 +133,6 @@ void check_pen(const Pen& pen) {
 }
 
 }  // namespace
-
-std::vector<double> tested_gaps(double pen_width_mm, double room_mm) {
-    constexpr double kMostOfWidth = 0.75;
-    constexpr std::size_t kMostGaps = 16;
-    const auto fit = static_cast<std::size_t>(room_mm / sizes_for(pen_width_mm).column);
-    const std::size_t count = std::clamp<std::size_t>(fit, 2, kMostGaps);
-    const double step = round_step(kMostOfWidth * pen_width_mm / static_cast<double>(count));
-    std::vector<double> gaps;
-    for (std::size_t i = 0; i < count; ++i) gaps.push_back(static_cast<double>(i) * step);
-    return gaps;
-}
 
 TestSheet test_sheet(std::span<const Pen> pens, const PageSize& page) {
     for (const Pen& pen : pens) check_pen(pen);

@@ -33,14 +33,6 @@ constexpr std::string_view name_of(Value value) {
     return names_of(value)[static_cast<std::size_t>(value)];
 }
 
-/// All values in their order.
-template <Named Value>
-constexpr auto values_of() {
-    std::array<Value, names_of(Value()).size()> values{};
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<Value>(i);
-    return values;
-}
-
 template <Named Value>
 std::optional<Value> value_named(std::string_view name) {
     const auto all = names_of(Value());

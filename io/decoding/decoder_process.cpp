@@ -103,15 +103,6 @@ void keep_input(int from, int to, std::uint64_t most, const std::stop_token& sto
     }
 }
 
-Descriptor kept_input(int from, const std::stop_token& stop) {
-    std::string name = (temporary_folder() / "dapple-XXXXXX").native();
-    Descriptor file(::mkostemp(name.data(), O_CLOEXEC));
-    if (!file) throw DecodeError("cannot be kept while it is read: " + reason(errno));
-    ::unlink(name.c_str());
-    keep_input(from, file.get(), kMostKeptBytes, stop);
-    return file;
-}
-
 fs::path temporary_folder() {
     std::error_code error;
     fs::path folder = fs::temp_directory_path(error);
@@ -186,6 +177,16 @@ bool is_camera_raw(const TiffPage& page) {
     const std::uint64_t photometric = page.entry(kPhotometric).value_or(0);
     return page.entry(kDngVersion) || photometric == kColourFilters || photometric == kLinearRaw ||
            ((page.entry(kSubfileType).value_or(0) & kReduced) != 0 && page.entry(kPagesWithin));
+}
+
+// What comes in a new file without a name, which is gone with its descriptor.
+Descriptor kept_input(int from, const std::stop_token& stop) {
+    std::string name = (temporary_folder() / "dapple-XXXXXX").native();
+    Descriptor file(::mkostemp(name.data(), O_CLOEXEC));
+    if (!file) throw DecodeError("cannot be kept while it is read: " + reason(errno));
+    ::unlink(name.c_str());
+    keep_input(from, file.get(), kMostKeptBytes, stop);
+    return file;
 }
 
 void wait_at_reading(const Descriptor& file) {

@@ -126,6 +126,11 @@ PenChoice read_pens(const std::filesystem::path& file) {
     }
 }
 
+namespace {
+
+namespace fs = std::filesystem;
+
+// A file in JSON, of which read_pens() makes these pens again; their colours in 8 bits.
 std::string pens_text(const Palette& pens) {
     std::string text;
     for (const Pen& pen : pens) {
@@ -138,10 +143,6 @@ std::string pens_text(const Palette& pens) {
     }
     return text + "]\n";
 }
-
-namespace {
-
-namespace fs = std::filesystem;
 
 // The common pens of these names, all of that width.
 Palette of_width(double width_mm, std::initializer_list<const char*> names) {
