@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <map>
 #include <numeric>
 #include <set>
 #include <stdexcept>
@@ -435,25 +434,6 @@ std::vector<std::string> words_along(std::span<const char> letters,
         words.push_back(word + fmt::format(">{}", number[i]));
     }
     return words;
-}
-
-std::vector<std::string> words_of(const std::vector<BinaryPoint>& points, const Rule& rule) {
-    std::map<Key, std::uint32_t> index;
-    for (const BinaryPoint p : points) index[key_of(p)] = 0;
-    std::uint32_t count = 0;
-    for (auto& entry : index) entry.second = count++;
-
-    std::string letters(count, '0');
-    std::vector<std::uint32_t> successor(count);
-    for (const BinaryPoint p : points) {
-        const std::uint32_t i = index[key_of(p)];
-        const int q = quadrant_of(p);
-        letters[i] = static_cast<char>('0' + q);
-        const auto found = index.find(key_of(apply(inverse(rule.child[q]), enlarge_quadrant(p))));
-        if (found == index.end()) throw std::runtime_error("the points are not self-similar under the rule");
-        successor[i] = found->second;
-    }
-    return words_along(letters, successor);
 }
 
 TileIntegers integers_of(std::string_view word) {
