@@ -1,15 +1,14 @@
 #include "io/available_memory.h"
 
-#include <fmt/format.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <stdexcept>
 #include <string>
 
+#include "core/failure.h"
 #include "core/text/number_words.h"
 
 namespace dapple {
@@ -51,11 +50,11 @@ std::uint64_t available_memory() {
 void check_memory(double bytes, std::string_view what, const std::optional<double>& allowed) {
     const double there = allowed.value_or(static_cast<double>(available_memory()));
     if (bytes <= there) return;
-    throw std::runtime_error(fmt::format(
+    throw failure(
         "{} would need about {} of memory, and {} are {}; choose fewer, or say --memory {:.0f}G to try it "
         "all the same",
         what, bytes_in_words(bytes), bytes_in_words(there), allowed ? "allowed" : "available",
-        std::ceil(bytes / 1e9)));
+        std::ceil(bytes / 1e9));
 }
 
 }  // namespace dapple

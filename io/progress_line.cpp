@@ -47,10 +47,9 @@ void ProgressLine::show(double fraction, std::string_view text, std::string_view
     const double done = fraction - start_fraction_;
     const int filled = static_cast<int>(kBarWidth * std::clamp(fraction, 0.0, 1.0));
     std::string left;
-    if (done > 0 && elapsed > 0.5) {
+    if (done > 0 && elapsed > 0.5)
         left = fmt::format("{}{}{}, ", piece, piece.empty() ? "" : ": ",
                            in_words(elapsed / done * (1 - fraction)));
-    }
     const std::string line =
         fmt::format("\r[{}{}] {:>3.0f} %  {}{}\033[K", std::string(filled, '#'),
                     std::string(kBarWidth - filled, '-'), 100 * fraction, left, printable(text));

@@ -56,9 +56,8 @@ void end(int signal) {
             ::isatty(STDERR_FILENO) == 1 ? kSentence : kSentence.substr(kSentence.find('d'));
         [[maybe_unused]] const auto written = ::write(STDERR_FILENO, said.data(), said.size());
     }
-    for (std::size_t i = 0; i < endings.signals.size(); ++i) {
+    for (std::size_t i = 0; i < endings.signals.size(); ++i)
         if (endings.signals[i] == signal) ::sigaction(signal, &endings.former[i], nullptr);
-    }
     ::raise(signal);  // comes once the handler is left
 }
 

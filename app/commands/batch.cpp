@@ -11,11 +11,10 @@
 #include <mutex>
 #include <optional>
 #include <stdexcept>
-#include <string>
 #include <thread>
-#include <vector>
 
 #include "app/commands/render_report.h"
+#include "core/failure.h"
 #include "core/text/shown_text.h"
 #include "io/command_line/options.h"
 #include "io/files/atomic_file.h"
@@ -146,9 +145,9 @@ void check_names_differ(const std::vector<fs::path>& pictures, const fs::path& f
         const fs::path output = output_in(folder, picture, format);
         const auto [there, is_new] = by_output.emplace(output, picture);
         if (!is_new) {
-            throw std::runtime_error(fmt::format("{} and {} would both become {}; draw them into two folders",
-                                                 printable(there->second.native()),
-                                                 printable(picture.native()), printable(output.native())));
+            throw failure("{} and {} would both become {}; draw them into two folders",
+                          printable(there->second.native()), printable(picture.native()),
+                          printable(output.native()));
         }
     }
 }

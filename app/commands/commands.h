@@ -9,10 +9,6 @@
 #include "core/lights/light_samples.h"
 #include "io/command_line/program.h"
 
-namespace CLI {
-class App;
-}
-
 namespace dapple {
 
 /// Each adds a command to the program. Commands throw std::runtime_error with one sentence naming the file

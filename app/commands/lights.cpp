@@ -9,10 +9,10 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "core/failure.h"
 #include "core/image/environment.h"
 #include "core/lights/direction.h"
 #include "core/lights/light_samples.h"
@@ -79,16 +79,14 @@ EnvironmentMap map_of(const LightsOptions& options) {
     const std::string name = printable(options.map->string());
     const std::string pixels = fmt::format("{} pixel{}", file.below_zero, file.below_zero == 1 ? "" : "s");
     if (file.below_zero > 0 && !options.clamp)
-        throw std::runtime_error(fmt::format(
-            "{}: light is below 0 at {}; repair the map first, or give --clamp to take it as none", name,
-            pixels));
+        throw failure("{}: light is below 0 at {}; repair the map first, or give --clamp to take it as none",
+                      name, pixels);
     if (file.below_zero > 0)
         fmt::print(stderr, "dapple: {}: light below 0 at {} is taken as none\n", name, pixels);
     if (file.ends_at_white)
         fmt::print(stderr,
                    "dapple: {}: this picture has no light above white, so that a sun in it is far too dim; a "
-                   ".hdr or "
-                   ".exr has all of it\n",
+                   ".hdr or .exr has all of it\n",
                    name);
     return std::move(file.map);
 }
@@ -126,10 +124,8 @@ void check_that_fit(const CLI::App& command, const LightsOptions& options) {
 // Reads, samples and saves; needs an output. Throws std::runtime_error with one sentence naming the file
 // that is wrong; what was at the output's place stays then.
 void lights(const LightsOptions& options) {
-    if (!light_file_of(options.output)) {
-        throw std::runtime_error(
-            fmt::format("{}: does not end in {}", options.output.string(), kLightEndings));
-    }
+    if (!light_file_of(options.output))
+        throw failure("{}: does not end in {}", options.output.string(), kLightEndings);
     check_can_save(options.output);
     if (options.pdf) check_can_save(*options.pdf);
     RankedTile tile = tile_named(options.tile, options.ranking);
@@ -142,13 +138,11 @@ void lights(const LightsOptions& options) {
                    "dapple: {}: {} samples will take about {:.1f} GB there, and {:.1f} GB of memory\n",
                    printable(options.output.string()), grouped(count), bytes / 1e9,
                    kMemoryOfOne * static_cast<double>(count) / 1e9);
-    if (!meets_itself(tile.tile())) {
-        fmt::print(
-            stderr,
-            "dapple: {}: this tile's left and right sides do not fit each other, so samples may lie close "
-            "together where the map's sides meet\n",
-            printable(options.tile));
-    }
+    if (!meets_itself(tile.tile()))
+        fmt::print(stderr,
+                   "dapple: {}: this tile's left and right sides do not fit each other, so samples may lie "
+                   "close together where the map's sides meet\n",
+                   printable(options.tile));
     const LightSamples samples = light_samples(map, tile, options.request);
 
     save_lights(
@@ -162,10 +156,8 @@ void lights(const LightsOptions& options) {
 
 // Saves how large the errors of samplers are on that map, and prints them. Throws as above.
 void compare_lights(const LightsOptions& options) {
-    if (!is_report(options.output)) {
-        throw std::runtime_error(
-            fmt::format("{}: does not end in {}", options.output.string(), kReportEndings));
-    }
+    if (!is_report(options.output))
+        throw failure("{}: does not end in {}", options.output.string(), kReportEndings);
     check_can_save(options.output);
     RankedTile tile = tile_named(options.tile, options.ranking);
     const EnvironmentMap map = map_of(options);
@@ -173,11 +165,10 @@ void compare_lights(const LightsOptions& options) {
     save_atomically(options.output, [&](std::ostream& out) {
         const std::string ending = ending_of(options.output);
         if (ending == ".csv") return write_comparison_csv(out, comparison);
-        if (ending == ".html") {
+        if (ending == ".html")
             out << comparison_page(comparison, source_of(options));
-        } else {
+        else
             out << comparison_plot(comparison) << '\n';
-        }
     });
     fmt::print("{}", comparison_table(comparison));
 }
@@ -211,8 +202,7 @@ LightsCommand::LightsCommand(CLI::App& program, std::function<void(const ShownMa
                "random, without any bias");
     add_choice(*command, "--order", request.order,
                "priority: the most important first, so that the first few are a set of their own, once the "
-               "weight of "
-               "each of the others goes to the nearest of them. placed: as the tile has them");
+               "weight of each of the others goes to the nearest of them. placed: as the tile has them");
     command->add_flag_callback(
         "--mis-compensation", [&request] { request.importance = LightImportance::compensated; },
         "Sample only light above the mean: for multiple importance sampling");
@@ -250,11 +240,10 @@ LightsCommand::LightsCommand(CLI::App& program, std::function<void(const ShownMa
                               kReportEndings);
     command->callback([this, command, compare] {
         if (options_.compare) {
-            if (!is_report(options_.output)) {
+            if (!is_report(options_.output))
                 throw CLI::ValidationError(compare->get_name(), std::string("needs an output that ends in ") +
                                                                     kReportEndings +
                                                                     ", such as -o report.html");
-            }
             check_that_fit(*command, options_);
             check_apart(*command, {"--output"}, {{options_.output, "the report"}});
             return compare_lights(options_);
@@ -267,10 +256,9 @@ LightsCommand::LightsCommand(CLI::App& program, std::function<void(const ShownMa
                           .stops = options_.exposure.value_or(0),
                           .turn_degrees = options_.rotation_degrees});
         }
-        if (!light_file_of(options_.output)) {
+        if (!light_file_of(options_.output))
             throw CLI::ValidationError("--output",
                                        options_.output.string() + " does not end in " + kLightEndings);
-        }
         check_that_fit(*command, options_);
         std::vector<FileInUse> written{{options_.output, "the lights"}};
         if (options_.pdf) written.push_back({*options_.pdf, "the density"});

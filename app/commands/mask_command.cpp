@@ -74,24 +74,16 @@ ThresholdSize size_in(const std::string& text) {
 }
 
 template <class Channel>
-Grid<glm::vec<3, Channel>> greys_of(const Grid<float>& thresholds) {
+void save_grey(const std::filesystem::path& file, const Grid<float>& thresholds) {
     const double levels = std::exp2(8 * sizeof(Channel));
     Grid<glm::vec<3, Channel>> greys(thresholds.width, thresholds.height);
     for (std::size_t i = 0; i < thresholds.values.size(); ++i)
         greys.values[i] = glm::vec<3, Channel>(
             static_cast<Channel>(std::min(std::floor(thresholds.values[i] * levels), levels - 1)));
-    return greys;
-}
-
-void save_grey(const std::filesystem::path& file, const Grid<float>& thresholds, int bits) {
     const PngHeader header{
         .width = thresholds.width, .height = thresholds.height, .dpi = 96, .colours = PngColours::grey};
     save_atomically(file, [&](std::ostream& out) {
-        if (bits == 16)
-            write_png_16(out, header,
-                         [&](const PixelSink16& sink) { sink(greys_of<std::uint16_t>(thresholds)); });
-        else
-            write_png(out, header, [&](const PixelSink& sink) { sink(greys_of<std::uint8_t>(thresholds)); });
+        write_png<Channel>(out, header, [&](const SinkOf<Channel>& sink) { sink(greys); });
     });
 }
 
@@ -212,8 +204,10 @@ void MaskCommand::save() const {
     }
     for (std::size_t slice = 0; slice < files.size(); ++slice) {
         const Grid<float> thresholds = thresholds_of(mask, static_cast<int>(slice), gain_);
-        save_next(slice, [&] { save_grey(files[slice], thresholds, bits_); });
-        if (screens_ && slice == 0) save_grey(beside(output_, "screened"), screened(picture, thresholds), 8);
+        const auto save_mask = bits_ == 16 ? save_grey<std::uint16_t> : save_grey<std::uint8_t>;
+        save_next(slice, [&] { save_mask(files[slice], thresholds); });
+        if (screens_ && slice == 0)
+            save_grey<std::uint8_t>(beside(output_, "screened"), screened(picture, thresholds));
     }
 }
 

@@ -92,22 +92,20 @@ RecordCommand::RecordCommand(CLI::App& program) {
     command
         ->add_option_function<std::string>(
             "image", read_image,
-            "The picture, or a project (.dapple) that the window saved; without "
-            "one, the built-in sample")
+            "The picture, or a project (.dapple) that the window saved; without one, the built-in sample")
         ->type_name("IMAGE");
     add_settings_options(*command, options_.drawing,
                          [this](const SavedSettings& settings) { take(settings); });
     command
-        ->add_option(
-            "-o,--output", options_.output,
-            "The film: a name that ends in .webp, which web browsers play; or a folder, which is there or "
-            "ends in /, for numbered PNG files")
+        ->add_option("-o,--output", options_.output,
+                     "The film: a name that ends in .webp, which web browsers play; or a folder, which is "
+                     "there or ends in /, for numbered PNG files")
         ->type_name("OUT")
         ->required();
-    add_choice(*command, "--show", options_.film.kind,
-               "growth: from a few dots to all. levels: one level of tiles after the other, each in its "
-               "colour. zoom: "
-               "into the middle, with ever more dots. plot: stroke by stroke, as a machine draws it");
+    add_choice(
+        *command, "--show", options_.film.kind,
+        "growth: from a few dots to all. levels: one level of tiles after the other, each in its colour. "
+        "zoom: into the middle, with ever more dots. plot: stroke by stroke, as a machine draws it");
     add_number(*command, "--seconds", options_.film.seconds, {.least = kShortestFilm, .most = kLongestFilm},
                "S", "How long the film is");
     add_whole_number(*command, "--fps", options_.film.frames_per_second, {.least = 1, .most = 60},
@@ -130,8 +128,8 @@ RecordCommand::RecordCommand(CLI::App& program) {
         "them; those of growth settle at its end.\n"
         "To make a video of numbered files, which players take if its sides are even, for example, 25 being "
         "--fps:\n"
-        "  ffmpeg -framerate 25 -i frames/frame-%04d.png -vf 'crop=trunc(iw/2)*2:trunc(ih/2)*2' "
-        "-pix_fmt yuv420p film.mp4\n\n"
+        "  ffmpeg -framerate 25 -i frames/frame-%04d.png -vf 'crop=trunc(iw/2)*2:trunc(ih/2)*2' -pix_fmt "
+        "yuv420p film.mp4\n\n"
         "Examples:\n"
         "  dapple record cat.jpg -o cat.webp                       from a few dots to 40,000\n"
         "  dapple record cat.jpg -o zoom.webp --show zoom --depth 1000 --seconds 12\n"

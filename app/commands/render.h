@@ -1,8 +1,6 @@
 #pragma once
 // What `dapple render` does: a picture to a file of dots.
 
-#include <fmt/format.h>
-
 #include <cstddef>
 #include <filesystem>
 #include <functional>
@@ -16,6 +14,7 @@
 #include "core/drawing/page_setup.h"
 #include "core/drawing/settings.h"
 #include "core/drawing/write_drawing.h"
+#include "core/failure.h"
 #include "core/output/sheet.h"
 #include "io/files/atomic_file.h"
 #include "io/files/picture.h"
@@ -76,7 +75,7 @@ auto with_option(const char* option, const Make& make) {
     try {
         return make();
     } catch (const std::runtime_error& error) {
-        throw std::runtime_error(fmt::format("{}: {}", option, error.what()));
+        throw failure("{}: {}", option, error.what());
     }
 }
 

@@ -23,6 +23,7 @@
 #include "app/commands/settings_options.h"
 #include "core/drawing/drawing_figures.h"
 #include "core/drawing/gcode_choice.h"
+#include "core/failure.h"
 #include "core/text/number_words.h"
 #include "io/command_line/files_in_use.h"
 #include "io/command_line/options.h"
@@ -117,99 +118,81 @@ void take_usual_shape(const CLI::App& command, RenderOptions& options) {
 // Throws CLI::ValidationError, "--option why", for options that contradict each other or that would have no
 // effect on what is written.
 void check_that_fit(const CLI::App& command, const RenderOptions& options) {
+    const auto refuse_if = [&](bool wrong, std::initializer_list<const char*> names, const std::string& why) {
+        if (wrong) refuse(command, names, why);
+    };
     check_format(options);
     const DrawingFormat format = format_of(options);
-    if (options.stats && is_standard_stream(*options.stats) && is_standard_stream(options.output))
-        throw CLI::ValidationError("--stats", "the drawing goes to the standard output already; name a file");
-    if (is_several(options.drawing.sheets)) {
-        if (is_standard_stream(options.output))
-            throw CLI::ValidationError("--sheets", "makes several files; name a file to call them after");
-        if (reads_standard_input(options))
-            throw CLI::ValidationError(
-                "--sheets", "the standard input can be read once only; save the picture as a file");
-    } else if (command.count("--sheet") == 0)
-        refuse(command, {"--overlap"}, "applies to sheets only; give --sheets or --sheet too");
-    if (options.drawing.pens.set == PenSet::one)
-        refuse(command, {"--registration", "--pen-order", "--pen-ink", "--pen-files"},
-               "is for several pens; give --pens too");
-    if (has_pixels(format) || is_table(format)) {
-        const std::string plotted =
-            "applies to files for plotting only; " + let_it_end_in(".svg, .pdf, .gcode, .hpgl or .dxf");
-        refuse(command, {"--pen-files"}, plotted);
-        if (!has_pixels(format)) refuse(command, {"--registration"}, plotted);
-        if (!options.saving.separations)
-            refuse(command, {"--registration"}, plotted + ", or give --separations too");
-    }
-    if (format != DrawingFormat::svg)
-        refuse(command, {"--tiles"}, "only an SVG has layers; " + let_it_end_in(".svg"));
-    if (!has_pixels(format))
-        refuse(command, {"--dpi"}, "only a PNG or a TIFF has pixels; " + let_it_end_in(".png or .tif"));
-    if (options.drawing.pens.set == PenSet::one)
-        refuse(command, {"--separations"}, "is for several pens; give --pens too");
-    if (!has_pixels(format))
-        refuse(command, {"--separations"},
-               "applies to a PNG or a TIFF only; " + let_it_end_in(".png or .tif"));
-    if (is_standard_stream(options.output))
-        refuse(command, {"--separations", "--pen-files"},
-               "makes several files; name a file to call them after");
-    if (!has_pixels(format))
-        refuse(command, {"--bits"}, "applies to a PNG or a TIFF only; " + let_it_end_in(".png or .tif"));
     const DrawingSettings& drawing = options.drawing;
-    if (!has_order(format, drawing.style))
-        refuse(command, {"--order"}, "the pixels of a PNG or a TIFF have no order");
-    if (is_table(format))
-        refuse(command, {"--style", "--dot-shape", "--pen-width"},
-               "a table has no shapes or lines, only dots; leave it out");
-    if (drawing.style != DrawingStyle::dots)
-        refuse(command, {"--dot-shape"}, "applies to --style dots only; leave it out, or give that style");
+    const bool to_pipe = is_standard_stream(options.output), several = is_several(drawing.sheets);
+    const bool pixels = has_pixels(format), table = is_table(format),
+               one_pen = drawing.pens.set == PenSet::one;
+    if (options.stats && is_standard_stream(*options.stats) && to_pipe)
+        throw CLI::ValidationError("--stats", "the drawing goes to the standard output already; name a file");
+    if (several && to_pipe)
+        throw CLI::ValidationError("--sheets", "makes several files; name a file to call them after");
+    if (several && reads_standard_input(options))
+        throw CLI::ValidationError("--sheets",
+                                   "the standard input can be read once only; save the picture as a file");
+    refuse_if(!several && command.count("--sheet") == 0, {"--overlap"},
+              "applies to sheets only; give --sheets or --sheet too");
+    refuse_if(one_pen, {"--registration", "--pen-order", "--pen-ink", "--pen-files"},
+              "is for several pens; give --pens too");
+    const std::string plotted =
+        "applies to files for plotting only; " + let_it_end_in(".svg, .pdf, .gcode, .hpgl or .dxf");
+    const std::string of_pixels = "applies to a PNG or a TIFF only; " + let_it_end_in(".png or .tif");
+    refuse_if(pixels || table, {"--pen-files"}, plotted);
+    refuse_if(table, {"--registration"}, plotted);
+    refuse_if(pixels && !options.saving.separations, {"--registration"},
+              plotted + ", or give --separations too");
+    refuse_if(format != DrawingFormat::svg, {"--tiles"}, "only an SVG has layers; " + let_it_end_in(".svg"));
+    refuse_if(!pixels, {"--dpi"}, "only a PNG or a TIFF has pixels; " + let_it_end_in(".png or .tif"));
+    refuse_if(one_pen, {"--separations"}, "is for several pens; give --pens too");
+    refuse_if(!pixels, {"--separations"}, of_pixels);
+    refuse_if(to_pipe, {"--separations", "--pen-files"},
+              "makes several files; name a file to call them after");
+    refuse_if(!pixels, {"--bits"}, of_pixels);
+    refuse_if(!has_order(format, drawing.style), {"--order"}, "the pixels of a PNG or a TIFF have no order");
+    refuse_if(table, {"--style", "--dot-shape", "--pen-width"},
+              "a table has no shapes or lines, only dots; leave it out");
+    refuse_if(drawing.style != DrawingStyle::dots, {"--dot-shape"},
+              "applies to --style dots only; leave it out, or give that style");
     check_finer(command, drawing);
-    if (drawing.style == DrawingStyle::dots && drawing.mark.shape == DotShape::point)
-        refuse(command, {"--dot-radius"},
-               "a point is as large as the pen makes it; leave it out, or give another --dot-shape");
+    refuse_if(drawing.style == DrawingStyle::dots && drawing.mark.shape == DotShape::point, {"--dot-radius"},
+              "a point is as large as the pen makes it; leave it out, or give another --dot-shape");
     const DotSize& size = drawing.dot_size;
     const double finest = size.sizing == DotSizing::by_tone ? size.smallest_mm : size.radius_mm;
-    if (command.count("--pen-width") > 0 && drawing.mark.shape == DotShape::spiral &&
-        finest < drawing.pen_width_mm / 2 - kSmallestRadiusMm)
-        refuse(command, {"--dot-radius"},
-               fmt::format("cannot be below {:g} mm with a pen {:g} mm wide; give that or more",
-                           drawing.pen_width_mm / 2, drawing.pen_width_mm));
+    refuse_if(command.count("--pen-width") > 0 && drawing.mark.shape == DotShape::spiral &&
+                  finest < drawing.pen_width_mm / 2 - kSmallestRadiusMm,
+              {"--dot-radius"},
+              fmt::format("cannot be below {:g} mm with a pen {:g} mm wide; give that or more",
+                          drawing.pen_width_mm / 2, drawing.pen_width_mm));
     const bool pen_draws =
         draws_strokes(drawing) ||
         dots_as({.format = format, .settings = drawing, .saving = options.saving}) == DotsAs::touches;
-    if (!pen_draws)
-        refuse(command, {"--pen-width"},
-               "applies to a plotter's pen, to --style line or nearest, and to a --dot-shape other than "
-               "circle; give one of those too");
-    if (!is_plotted(format))
-        refuse(command, {"--machine"},
-               "applies to files for plotting only; " + let_it_end_in(".svg, .gcode, .hpgl or .dxf"));
-    if (!has_colours(format)) {
-        const std::string what = is_table(format) ? "a table has" : "a file for machines has";
-        refuse(command, {"--ink", "--paper", "--background"},
-               what + " no colours; " + let_it_end_in(".svg, .pdf, .png or .tif"));
-    }
-    if (has_optional_paper(format) && !options.drawing.background && options.drawing.pens.set == PenSet::one)
-        refuse(command, {"--paper"}, "shows in an SVG or a PDF with --background only; give that too");
-    if (options.drawing.pens.set != PenSet::one)
-        refuse(command, {"--ink"}, "is one pen's colour, and --pens has its own; leave one of them out");
-    if (format != DrawingFormat::gcode)
-        refuse(command,
-               {"--gcode", "--feed", "--dwell", "--acceleration", "--pen-up", "--pen-down", "--laser-power"},
-               "applies to G-code only; " + let_it_end_in(".gcode or .nc"));
-    if (format == DrawingFormat::gcode) {
-        try {
-            check_heights(options.saving);
-        } catch (const std::runtime_error& error) {
-            throw CLI::ValidationError(command.count("--pen-down") > 0 ? "--pen-down" : "--pen-up",
-                                       error.what());
-        }
-    }
+    refuse_if(
+        !pen_draws, {"--pen-width"},
+        "applies to a plotter's pen, to --style line or nearest, and to a --dot-shape other than circle; "
+        "give one of those too");
+    refuse_if(!is_plotted(format), {"--machine"},
+              "applies to files for plotting only; " + let_it_end_in(".svg, .gcode, .hpgl or .dxf"));
+    refuse_if(!has_colours(format), {"--ink", "--paper", "--background"},
+              std::string(table ? "a table has" : "a file for machines has") + " no colours; " +
+                  let_it_end_in(".svg, .pdf, .png or .tif"));
+    refuse_if(has_optional_paper(format) && !drawing.background && one_pen, {"--paper"},
+              "shows in an SVG or a PDF with --background only; give that too");
+    refuse_if(!one_pen, {"--ink"}, "is one pen's colour, and --pens has its own; leave one of them out");
+    refuse_if(format != DrawingFormat::gcode,
+              {"--gcode", "--feed", "--dwell", "--acceleration", "--pen-up", "--pen-down", "--laser-power"},
+              "applies to G-code only; " + let_it_end_in(".gcode or .nc"));
+    if (format == DrawingFormat::gcode)
+        told_as(command.count("--pen-down") > 0 ? "--pen-down" : "--pen-up",
+                [&] { check_heights(options.saving); });
     const bool given = command.count("--order") > 0 || command.count("--relax") > 0;
-    if (given && options.saving.order == DotOrder::priority && options.drawing.relax.value_or(0) > 0) {
+    if (given && options.saving.order == DotOrder::priority && drawing.relax.value_or(0) > 0)
         throw CLI::ValidationError(
             "--order",
             "priority: the first dots of a relaxed drawing do not make one with fewer dots; give --relax 0");
-    }
 }
 
 namespace fs = std::filesystem;
@@ -266,8 +249,7 @@ constexpr const char* kExamples =
     "  dapple render cat.jpg -o cat.svg --page a4 --pens cmyk:0.3   a layer for each of four pens\n"
     "  dapple render cat.jpg -o cat.svg --page 8.5x11in --fit fill --margin 0.5in\n"
     "  dapple render cat.jpg -o part.svg --width 2000 --sheet 2,1/3x4   one sheet of a mural\n"
-    "  dapple render cat.jpg -o mural.pdf --width 1000 --sheets 4x4 --overlap 10   all of them, and a "
-    "plan\n"
+    "  dapple render cat.jpg -o mural.pdf --width 1000 --sheets 4x4 --overlap 10   all of them, and a plan\n"
     "  dapple render cat.jpg -o eye.svg --region 60,40,80x50   a detail, to try pen and paper\n"
     "  dapple render cat.jpg -o cat.csv --stats cat.json   the dots as numbers, and figures about them\n"
     "  dapple render cat.jpg -o cat.gcode --gcode laser --feed 6000 --dwell 0.02\n"
@@ -322,8 +304,8 @@ WorkShare share_of_rank() {
         if (!rank_text || !size_text) continue;
         const auto rank = number_of<std::size_t>(rank_text), size = number_of<std::size_t>(size_text);
         if (!rank || !size || *rank >= *size)
-            throw std::runtime_error(fmt::format("auto: {}={} and {}={} are no rank among several", rank_name,
-                                                 rank_text, size_name, size_text));
+            throw failure("auto: {}={} and {}={} are no rank among several", rank_name, rank_text, size_name,
+                          size_text);
         return {*rank, *size};
     }
     throw std::runtime_error(
@@ -333,10 +315,10 @@ WorkShare share_of_rank() {
 }  // namespace
 
 RenderCommand::RenderCommand(CLI::App& program) {
-    CLI::App* const command = program.add_subcommand("render",
-                                                     "Stipple a picture into a file: SVG, G-code, HPGL and "
-                                                     "DXF for plotters and lasers, PDF, PNG and TIFF for "
-                                                     "print, CSV and JSON as tables");
+    CLI::App* const command =
+        program.add_subcommand("render",
+                               "Stipple a picture into a file: SVG, G-code, HPGL and DXF for plotters and "
+                               "lasers, PDF, PNG and TIFF for print, CSV and JSON as tables");
     add_input_options(*command);  // taken before the other options, which say otherwise
     add_output_options(*command);
     add_dot_options(*command, options_.drawing);
@@ -364,8 +346,7 @@ void RenderCommand::add_input_options(CLI::App& command) {
             "image", read_image,
             "The picture, - for the standard input, or a project (.dapple) that the window saved, whose "
             "settings the other options change; without one, the built-in sample. Several pictures become as "
-            "many "
-            "drawings in a folder")
+            "many drawings in a folder")
         ->type_name("IMAGE");
     add_settings_options(command, options_.drawing, [this](const SavedSettings& settings) {
         options_.drawing = settings.drawing;
@@ -459,8 +440,7 @@ void RenderCommand::run(const CLI::App& command) {
     const std::string summary = batch_summary(result, options_.output);
     fmt::print(stderr, "{}\n", summary);
     if (!result.failures.empty())
-        throw std::runtime_error(
-            fmt::format("{} of {} pictures failed", result.failures.size(), shared.size()));
+        throw failure("{} of {} pictures failed", result.failures.size(), shared.size());
 }
 
 Command add_render_command(CLI::App& program) {

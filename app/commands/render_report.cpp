@@ -4,12 +4,10 @@
 #include <tbb/info.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <string>
 #include <system_error>
 
 #include "core/text/number_words.h"
@@ -22,6 +20,8 @@
 
 namespace dapple {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 // The size of the drawing that was saved, or of the files that each pen has in its place; none for the
 // standard output or a pipe.
@@ -48,25 +48,25 @@ void print_pens(const Rendered& drawn) {
     }
 }
 
-nlohmann::ordered_json json_of(const LocalDistances& distances) {
+Json json_of(const LocalDistances& distances) {
     return {{"p1", distances.p1}, {"mean", distances.mean}};
 }
 
-nlohmann::ordered_json pens_json(const Rendered& drawn) {
-    auto all = nlohmann::ordered_json::array();
+Json pens_json(const Rendered& drawn) {
+    auto all = Json::array();
     for (const PenFigures& figures : drawn.by_pen) {
         const auto i = static_cast<std::size_t>(figures.pen);
         const Pen& pen = drawn.pens[i];
-        nlohmann::ordered_json one{{"name", pen.name},
-                                   {"colour", hex_of(pen.colour)},
-                                   {"width_mm", pen.width_mm},
-                                   {"gap_mm", pen.gap_mm},
-                                   {"gain_mm", pen.gain_mm},
-                                   {"dots", figures.dots},
-                                   {"pen_up_m", figures.pen_up_m},
-                                   {"nearest_mm", figures.nearest_mm},  // null if there are not two
-                                   {"nearer_than_gap", figures.nearer_than_gap},
-                                   {"total_s", figures.time.total_s()}};
+        Json one{{"name", pen.name},
+                 {"colour", hex_of(pen.colour)},
+                 {"width_mm", pen.width_mm},
+                 {"gap_mm", pen.gap_mm},
+                 {"gain_mm", pen.gain_mm},
+                 {"dots", figures.dots},
+                 {"pen_up_m", figures.pen_up_m},
+                 {"nearest_mm", figures.nearest_mm},  // null if there are not two
+                 {"nearer_than_gap", figures.nearer_than_gap},
+                 {"total_s", figures.time.total_s()}};
         if (drawn.evenness) {
             one["wanted"] = drawn.evenness->each[i].wanted;
             one["nearest"] = json_of(drawn.evenness->each[i].distances);
@@ -177,18 +177,17 @@ std::vector<std::string> findings_among(std::span<const NamedFindings> drawings)
 
 std::string stats_of(const RenderOptions& options, const Rendered& drawn) {
     const DrawingSettings& settings = options.drawing;
+    const Tone& tone = drawn.tone;
     const int threads = settings.placing.threads;
-    nlohmann::ordered_json distinct, duplicates;
+    Json distinct, duplicates, preflight, plotting, strokes;  // null where there is none
     if (drawn.duplicates) {
         distinct = drawn.dots - *drawn.duplicates;
         duplicates = *drawn.duplicates;
     }
-    nlohmann::ordered_json preflight;
     if (drawn.preflight) {
         const Preflight& found = *drawn.preflight;
         preflight = {{"pen_up_m", found.pen_up_m},
-                     {"pen_up_before_m", drawn.curve_way_m ? nlohmann::ordered_json(*drawn.curve_way_m)
-                                                           : nlohmann::ordered_json()},
+                     {"pen_up_before_m", drawn.curve_way_m ? Json(*drawn.curve_way_m) : Json()},
                      {"nearest_mm", found.nearest_mm},  // null if there are not two
                      {"nearer_than_0.5_mm", found.nearer_than_saxi},
                      {"nearer_than_0.152_mm", found.nearer_than_axidraw},
@@ -197,40 +196,37 @@ std::string stats_of(const RenderOptions& options, const Rendered& drawn) {
                      {"overlapping", found.overlapping},
                      {"rings_m", found.rings_m}};
     }
-    auto findings = nlohmann::ordered_json::array();
+    auto findings = Json::array();
     for (const Finding& finding : drawn.findings)
         findings.push_back({{"kind", name_of(finding.kind)}, {"text", finding.text}, {"cure", finding.cure}});
-    nlohmann::ordered_json plotting;
-    if (drawn.plotting) {
+    if (drawn.plotting)
         plotting = {{"machine", name_of(drawn.machine)},      {"moving_s", drawn.plotting->moving_s},
                     {"lifting_s", drawn.plotting->lifting_s}, {"dots_s", drawn.plotting->dots_s},
                     {"drawing_s", drawn.plotting->drawing_s}, {"total_s", drawn.plotting->total_s()}};
-    }
-    nlohmann::ordered_json strokes;
     if (drawn.strokes)
         strokes = {{"count", drawn.strokes->strokes},
                    {"drawn_m", drawn.strokes->drawn_m},
                    {"longest_mm", drawn.strokes->longest_mm},
                    {"pen_up_m", drawn.strokes->pen_up_m}};
-    const nlohmann::ordered_json tone{{"automatic", settings.automatic_tone},
-                                      {"strength", settings.tone_strength},
-                                      {"exposure", drawn.tone.exposure},
-                                      {"black_point", drawn.tone.black_point},
-                                      {"white_point", drawn.tone.white_point},
-                                      {"contrast", drawn.tone.contrast},
-                                      {"brightness", drawn.tone.brightness},
-                                      {"gamma", drawn.tone.gamma},
-                                      {"blur", drawn.tone.blur},
-                                      {"detail", drawn.tone.detail},
-                                      {"black", drawn.tone.black.value_or(1)},
-                                      {"invert", drawn.tone.invert}};
+    const Json toned{{"automatic", settings.automatic_tone},
+                     {"strength", settings.tone_strength},
+                     {"exposure", tone.exposure},
+                     {"black_point", tone.black_point},
+                     {"white_point", tone.white_point},
+                     {"contrast", tone.contrast},
+                     {"brightness", tone.brightness},
+                     {"gamma", tone.gamma},
+                     {"blur", tone.blur},
+                     {"detail", tone.detail},
+                     {"black", tone.black.value_or(1)},
+                     {"invert", tone.invert}};
     const auto [top, right, bottom, left] = settings.page.margins.value_or(Margins{});
-    nlohmann::ordered_json margin = top;
+    Json margin = top;
     if (!settings.page.margins)
         margin = "auto";
     else if (settings.page.margins != Margins{top, top, top, top})
         margin = {top, right, bottom, left};
-    const nlohmann::ordered_json stats{
+    const Json stats{
         {"image", options.image ? options.image->string() : "sample"},
         {"image_width", drawn.width},
         {"image_height", drawn.height},
@@ -240,7 +236,7 @@ std::string stats_of(const RenderOptions& options, const Rendered& drawn) {
         {"duplicates", duplicates},
         {"scale", drawn.scale},
         {"mean_density", drawn.mean_density},
-        {"tone", tone},
+        {"tone", toned},
         {"relaxing_steps", drawn.steps},
         {"placer", name_of(settings.placer)},
         {"tile", tile_in_use(settings)},
@@ -260,7 +256,7 @@ std::string stats_of(const RenderOptions& options, const Rendered& drawn) {
         {"dot_shape", text_of(settings.mark)},
         {"strokes", strokes},
         {"pens", pens_json(drawn)},
-        {"nearest", drawn.evenness ? json_of(drawn.evenness->all) : nlohmann::ordered_json()},
+        {"nearest", drawn.evenness ? json_of(drawn.evenness->all) : Json()},
         {"file_bytes", bytes_written(options, drawn).value_or(0)},
         {"threads", threads > 0 ? threads : tbb::info::default_concurrency()},
         {"tile_ms", drawn.times.tile},
@@ -272,7 +268,7 @@ std::string stats_of(const RenderOptions& options, const Rendered& drawn) {
         {"check_ms", drawn.times.check},
     };
     // File names need not be UTF-8, JSON has to be.
-    return stats.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
+    return stats.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
 std::string stats_of_all(std::span<const std::string> stats) {

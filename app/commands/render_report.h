@@ -3,7 +3,6 @@
 // as JSON.
 
 #include <cstdint>
-#include <iosfwd>
 #include <optional>
 #include <span>
 #include <string>

@@ -1,20 +1,17 @@
 #include "app/commands/settings_options.h"
 
-#include <fmt/format.h>
-
-#include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <system_error>
 #include <utility>
 
+#include "core/failure.h"
 #include "core/settings/drawing_fields.h"
 #include "core/text/shown_text.h"
 #include "io/command_line/options.h"
 #include "io/command_line/remarks.h"
 #include "io/files/gcode_template.h"
 #include "io/settings/presets.h"
-#include "io/settings/project.h"
 
 namespace dapple {
 
@@ -32,10 +29,9 @@ ProjectInput read_project_input(const std::filesystem::path& file) {
     if (!project.why_missing.empty()) throw std::runtime_error(project.why_missing);
     input.picture = std::move(project.picture);
     if (!photograph)
-        throw std::runtime_error(
-            printable(file.native()) +
-            ": shows a plain density, which the window alone draws; choose the photograph "
-            "there, under The method, and save it again");
+        throw std::runtime_error(printable(file.native()) +
+                                 ": shows a plain density, which the window alone draws; choose the "
+                                 "photograph there, under The method, and save it again");
     return input;
 }
 
@@ -49,10 +45,8 @@ void take_tool(SavingChoice& saving, const std::string& text) {
         return;
     }
     std::error_code looped;  // reading it says so
-    if (!std::filesystem::exists(text, looped) && !looped) {
-        throw std::runtime_error(
-            fmt::format("--gcode: {} is neither pen, servo nor laser, nor a file with a template", text));
-    }
+    if (!std::filesystem::exists(text, looped) && !looped)
+        throw failure("--gcode: {} is neither pen, servo nor laser, nor a file with a template", text);
     saving.gcode_template = read_gcode_template(text);
 }
 
@@ -79,15 +73,11 @@ void add_gcode_options(CLI::App& command, SavingChoice& saving) {
 
 const char* gcode_help() {
     return "A template for --gcode is a text whose lines begin with start, move, dot or end: what is written "
-           "once "
-           "before the dots, for the way to each dot, at each dot, and once after them. {x} and {y} stand "
-           "for the "
-           "dot's place in mm from the lower left corner, {radius} for its radius, {feed}, {dwell}, {up}, "
-           "{down} and {power} for the options, {burn} for the feed at which 0.05 mm take as long as the "
-           "dwell. For lines to draw, lines that begin with down, line and up "
-           "say what begins one, leads "
-           "to each "
-           "next point, and ends it. A pen that a servo turns:\n"
+           "once before the dots, for the way to each dot, at each dot, and once after them. {x} and {y} "
+           "stand for the dot's place in mm from the lower left corner, {radius} for its radius, {feed}, "
+           "{dwell}, {up}, {down} and {power} for the options, {burn} for the feed at which 0.05 mm take as "
+           "long as the dwell. For lines to draw, lines that begin with down, line and up say what begins "
+           "one, leads to each next point, and ends it. A pen that a servo turns:\n"
            "  start G21\n"
            "  start G90\n"
            "  move G1 X{x} Y{y} F{feed}\n"
@@ -123,7 +113,7 @@ void add_mask_options(CLI::App& command, Mask& mask, const PictureLimit& limit) 
         try {
             return read_with_remark(file, limit).light;
         } catch (const std::runtime_error& error) {
-            throw std::runtime_error(fmt::format("{}: {}", option, error.what()));
+            throw failure("{}: {}", option, error.what());
         }
     };
     const auto read_mask = [&mask, light_of](const std::string& file) {
@@ -146,9 +136,8 @@ void add_mask_options(CLI::App& command, Mask& mask, const PictureLimit& limit) 
         .add_option_function<std::string>(
             "--finer", read_finer,
             "A grey picture laid over the picture as --mask is: black changes nothing, lighter gives more "
-            "and "
-            "smaller dots at the same tone, white four times as many of half the width. none: drops what the "
-            "project or --mask has of it")
+            "and smaller dots at the same tone, white four times as many of half the width. none: drops what "
+            "the project or --mask has of it")
         ->type_name("FILE|none")
         ->group("Tone");
 }

@@ -11,10 +11,6 @@
 #include "io/files/picture.h"
 #include "io/settings/project.h"
 
-namespace CLI {
-class App;
-}
-
 namespace dapple {
 
 // A project as the command line draws it.

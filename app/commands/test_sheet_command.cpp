@@ -8,8 +8,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <stdexcept>
-#include <vector>
 
 #include "app/commands/settings_options.h"
 #include "core/drawing/gcode_choice.h"
@@ -68,8 +66,7 @@ TestSheetCommand::TestSheetCommand(CLI::App& program) {
         ->required();
     command
         ->add_option("-o,--output", output_,
-                     "The page; its name ends in .svg, .pdf, .png, .tif, .gcode, .nc, "
-                     ".hpgl, .plt or .dxf")
+                     "The page; its name ends in .svg, .pdf, .png, .tif, .gcode, .nc, .hpgl, .plt or .dxf")
         ->type_name("OUT")
         ->required();
     add_paper(*command, drawing_.page,

@@ -7,10 +7,8 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
-#include <vector>
 
 #include "core/analysis/distances.h"
-#include "core/analysis/domain.h"
 
 namespace dapple {
 

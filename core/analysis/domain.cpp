@@ -1,11 +1,10 @@
 #include "core/analysis/domain.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
+
+#include "core/failure.h"
 
 namespace dapple {
 namespace {
@@ -24,21 +23,19 @@ double largest_radius(const Domain& domain, std::size_t count) {
 std::vector<glm::dvec2> points_inside(std::span<const glm::dvec2> points, const Domain& domain,
                                       const std::string& name) {
     if (!(domain.width > 0 && domain.height > 0 && std::isfinite(domain.area())))
-        throw std::runtime_error(fmt::format("{}: a domain of {} x {} has no area; give two positive sides",
-                                             name, domain.width, domain.height));
+        throw failure("{}: a domain of {} x {} has no area; give two positive sides", name, domain.width,
+                      domain.height);
     std::vector<glm::dvec2> inside(points.begin(), points.end());
     for (std::size_t i = 0; i < inside.size(); ++i) {
         glm::dvec2& p = inside[i];
         if (!std::isfinite(p.x) || !std::isfinite(p.y))
-            throw std::runtime_error(
-                fmt::format("{}: point {} is at ({}, {}); every coordinate must be a finite number", name,
-                            i + 1, p.x, p.y));
+            throw failure("{}: point {} is at ({}, {}); every coordinate must be a finite number", name,
+                          i + 1, p.x, p.y);
         if (domain.topology == Topology::torus) {
             p = {wrapped(p.x, domain.width), wrapped(p.y, domain.height)};
         } else if (p.x < 0 || p.y < 0 || p.x > domain.width || p.y > domain.height) {
-            throw std::runtime_error(
-                fmt::format("{}: point {} at ({}, {}) lies outside the {} x {} window; give a larger window",
-                            name, i + 1, p.x, p.y, domain.width, domain.height));
+            throw failure("{}: point {} at ({}, {}) lies outside the {} x {} window; give a larger window",
+                          name, i + 1, p.x, p.y, domain.width, domain.height);
         }
     }
     return inside;

@@ -8,7 +8,6 @@
 #include <glm/vec2.hpp>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "core/export.h"

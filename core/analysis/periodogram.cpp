@@ -1,6 +1,5 @@
 #include "core/analysis/periodogram.h"
 
-#include <fmt/format.h>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
@@ -13,7 +12,8 @@
 #include <memory>
 #include <numbers>
 #include <numeric>
-#include <stdexcept>
+
+#include "core/failure.h"
 
 namespace dapple {
 
@@ -221,10 +221,10 @@ Periodogram periodogram(std::span<const glm::dvec2> points, const Domain& domain
     const double columns = std::floor(highest * domain.width * (1 + 1e-12));
     const double rows = std::floor(highest * domain.height * (1 + 1e-12));
     if (!((columns + 1) * (2 * rows + 1) < 0x1p28))
-        throw std::runtime_error(fmt::format(
+        throw failure(
             "a spectrum of {} points up to {} times the square root of their number is too large; "
             "ask for a lower frequency",
-            points.size(), options.highest_frequency));
+            points.size(), options.highest_frequency);
     result.max_x = int(columns);
     result.max_y = int(rows);
 

@@ -1,9 +1,8 @@
 #include "core/analysis/report.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
-#include <stdexcept>
+
+#include "core/failure.h"
 
 namespace dapple {
 namespace {
@@ -12,9 +11,8 @@ void check_period(const ReportOptions& options) {
     if (!options.period) return;
     const glm::dvec2 period = *options.period;
     if (!(period.x > 0 && period.y > 0 && std::isfinite(period.x) && std::isfinite(period.y)))
-        throw std::runtime_error(
-            fmt::format("{}: a period of {} x {} cannot repeat; give two positive lengths", options.name,
-                        period.x, period.y));
+        throw failure("{}: a period of {} x {} cannot repeat; give two positive lengths", options.name,
+                      period.x, period.y);
 }
 
 }  // namespace

@@ -6,7 +6,8 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <stdexcept>
+
+#include "core/failure.h"
 
 namespace dapple {
 
@@ -17,8 +18,7 @@ glm::vec3 parse_colour(std::string_view text) {
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value, 16);
     const bool whole = error == std::errc{} && end == digits.data() + digits.size();
     if (!whole || (digits.size() != 6 && digits.size() != 3)) {
-        throw std::runtime_error(
-            fmt::format("{}: not a colour; write it as #rrggbb, for example #1a2b3c", text));
+        throw failure("{}: not a colour; write it as #rrggbb, for example #1a2b3c", text);
     }
     const int bits = digits.size() == 6 ? 8 : 4;
     const unsigned top = (1u << bits) - 1;

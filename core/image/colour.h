@@ -1,7 +1,6 @@
 #pragma once
 // Ink and paper: sRGB-encoded colours, components 0..1, and the way people write them, #rrggbb.
 
-#include <cstdint>
 #include <glm/gtc/packing.hpp>
 #include <glm/gtc/type_precision.hpp>
 #include <glm/vec3.hpp>

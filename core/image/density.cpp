@@ -2,7 +2,6 @@
 
 #include <tbb/parallel_for.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -229,9 +228,8 @@ SmallSquare Density::look(const QuadSquare& square) const {
             for (std::int64_t i = p.first_column; i <= p.last_column; ++i) include(bounds, pixels[i]);
         }
     } else {
-        for (std::int64_t j = p.first_row; j <= p.last_row; ++j) {
+        for (std::int64_t j = p.first_row; j <= p.last_row; ++j)
             for (std::int64_t i = p.first_column; i <= p.last_column; ++i) include(bounds, pixel(i, j));
-        }
     }
     if (!inside) bounds.min = 0;
     look.bounds = {bounds.min * (1 - kRelativeSlack), bounds.max * (1 + kRelativeSlack)};

@@ -10,7 +10,6 @@
 #include <array>
 #include <cstdint>
 #include <glm/vec2.hpp>
-#include <optional>
 #include <utility>
 #include <vector>
 

@@ -1,7 +1,5 @@
 #include "core/image/environment.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -10,6 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "core/failure.h"
 #include "core/maths/portable_math.h"
 
 namespace dapple {
@@ -89,9 +88,9 @@ namespace {
 void check(const Grid<glm::vec3>& radiance) {
     const auto& [width, height, values] = radiance;
     if (radiance.empty() || width != 2 * height) {
-        throw std::runtime_error(fmt::format(
+        throw failure(
             "{} x {} pixels are no latitude-longitude map, which is twice as wide as high; convert it first",
-            width, height));
+            width, height);
     }
     for (int y = 0; y < height; ++y) {
         const glm::vec3* row = radiance.row(y);
@@ -102,8 +101,7 @@ void check(const Grid<glm::vec3>& radiance) {
             const char* const what = std::isnan(sum) ? "not a number (NaN)"
                                      : least < 0     ? "negative"
                                                      : "infinite";
-            throw std::runtime_error(
-                fmt::format("the light at pixel {}, {} is {}; repair the map first", x, y, what));
+            throw failure("the light at pixel {}, {} is {}; repair the map first", x, y, what);
         }
     }
 }
@@ -124,9 +122,8 @@ EnvironmentMap::EnvironmentMap(Grid<glm::vec3> radiance) : radiance_(std::move(r
         for (int x = 0; x < width(); ++x) row += glm::dvec3(radiance_.at(x, y));
         total_flux_ += row * solid_angle(y);
     }
-    if (!(luminance(total_flux_) > 0)) {
+    if (!(luminance(total_flux_) > 0))
         throw std::runtime_error("the map is black all over: there is no light to take samples of");
-    }
 }
 
 double EnvironmentMap::solid_angle(int row) const {
@@ -157,9 +154,8 @@ Density light_density(const EnvironmentMap& map, LightImportance importance, int
         const auto value = [&](int x, int y) {
             return std::max(0.0, luminance(map.radiance().at(x, y)) - subtracted) * row_factor[y];
         };
-        for (int y = 0; y < height; ++y) {
+        for (int y = 0; y < height; ++y)
             for (int x = 0; x < width; ++x) highest = std::max(highest, value(x, y));
-        }
         Grid<float> density(width, height);
         if (!(highest > 0)) return density;
         for (int y = 0; y < height; ++y) {

@@ -1,7 +1,5 @@
 #include "core/image/light_picture.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -9,6 +7,8 @@
 #include <limits>
 #include <stdexcept>
 #include <vector>
+
+#include "core/failure.h"
 
 namespace dapple {
 namespace {
@@ -18,16 +18,14 @@ template <class Value, class LightOf>
 LightPicture picture_of(std::span<const Value> pixels, int width, int height, int channels, float full,
                         const LightOf& light_of) {
     if (width < 1 || height < 1 || channels < 1 || channels > 4)
-        throw std::runtime_error(
-            fmt::format("a picture of {} x {} pixels with {} channels; sides are 1 or more, and channels 1 "
-                        "to 4",
-                        width, height, channels));
+        throw failure(
+            "a picture of {} x {} pixels with {} channels; sides are 1 or more, and channels 1 to 4", width,
+            height, channels);
     const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     const auto each = static_cast<std::size_t>(channels);
     if (pixels.size() != count * each)
-        throw std::runtime_error(
-            fmt::format("{} values for a picture of {} x {} pixels with {} channels, which has {}",
-                        pixels.size(), width, height, channels, count * each));
+        throw failure("{} values for a picture of {} x {} pixels with {} channels, which has {}",
+                      pixels.size(), width, height, channels, count * each);
     const bool coloured = channels > 2, transparent = channels % 2 == 0;
     LightPicture picture{.light = {width, height}};
     if (coloured) picture.colours = {width, height};
@@ -68,11 +66,10 @@ LightPicture picture_of_srgb(std::span<const std::uint16_t> pixels, int width, i
 LightPicture picture_of_srgb(std::span<const float> pixels, int width, int height, int channels) {
     const auto wrong = std::ranges::find_if(pixels, [](float value) { return !(value >= 0 && value <= 1); });
     if (wrong != pixels.end())
-        throw std::runtime_error(
-            fmt::format("a picture has the value {}; sRGB-encoded numbers are within 0 to 1, and linear "
-                        "light alone may be "
-                        "more",
-                        *wrong));
+        throw failure(
+            "a picture has the value {}; sRGB-encoded numbers are within 0 to 1, and linear light alone may "
+            "be more",
+            *wrong);
     return picture_of(pixels, width, height, channels, 1, srgb_to_linear);
 }
 

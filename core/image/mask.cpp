@@ -18,25 +18,15 @@ namespace {
 
 template <class T>
 Grid<T> framed_pixels(const Grid<T>& picture, const Framing& framing) {
-    const auto [low, high] = framing.pixels;
     const glm::ivec2 size = framing.size();
+    const auto pixel_at = [&](int x, int y) { return glm::ivec2(opened_pixel(framing, {x + 0.5, y + 0.5})); };
+    const glm::ivec2 corner = pixel_at(0, 0), along = pixel_at(1, 0) - corner, down = pixel_at(0, 1) - corner;
     Grid<T> result(size.x, size.y);
     for (int y = 0; y < size.y; ++y) {
         T* const row = result.row(y);
         for (int x = 0; x < size.x; ++x) {
-            switch (framing.quarter_turns) {
-                case 1:  // what was at the lower left comes to the upper left
-                    row[x] = picture.at(low.x + y, high.y - 1 - x);
-                    break;
-                case 2:
-                    row[x] = picture.at(high.x - 1 - x, high.y - 1 - y);
-                    break;
-                case 3:
-                    row[x] = picture.at(high.x - 1 - y, low.y + x);
-                    break;
-                default:
-                    row[x] = picture.at(low.x + x, low.y + y);
-            }
+            const glm::ivec2 from = corner + x * along + y * down;
+            row[x] = picture.at(from.x, from.y);
         }
     }
     return result;
@@ -70,18 +60,10 @@ namespace {
 
 // The level that a brush paints towards, if it changes the levels.
 std::uint8_t level_of(BrushKind kind) {
-    switch (kind) {
-        case BrushKind::more:
-            return 255;
-        case BrushKind::fewer:
-            return kNeutralLevel / 2;
-        case BrushKind::none:
-            return 0;
-        case BrushKind::finer:
-        case BrushKind::erase:
-            break;
-    }
-    return kNeutralLevel;
+    return kind == BrushKind::more    ? 255
+           : kind == BrushKind::fewer ? kNeutralLevel / 2
+           : kind == BrushKind::none  ? 0
+                                      : kNeutralLevel;
 }
 
 }  // namespace

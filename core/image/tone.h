@@ -40,8 +40,7 @@ std::uint8_t srgb_byte(float linear);
 /// The density 0..1 of a picture of linear light (0 black, 1 white; other values are clamped, NaN is white).
 /// Leaves tone.detail out: its scale follows from the number of dots, so whoever knows that applies
 /// with_detail() first, and exposed() before that. `ink` says which density covers how much, and how solid
-/// black gets. Takes the
-/// picture by value so that a large one can be turned in place.
+/// black gets. Takes the picture by value so that a large one can be turned in place.
 Grid<float> density_of(Grid<float> light, const Tone& tone, const InkCurve& ink = InkCurve());
 
 /// The light that is to be seen, 0..1, by the same settings but for inverting.

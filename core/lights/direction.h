@@ -9,7 +9,6 @@
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
-#include <string_view>
 
 #include "core/export.h"
 #include "core/text/names.h"

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include "core/maths/portable_math.h"
 #include "core/text/text_lines.h"
@@ -12,8 +13,13 @@ namespace dapple {
 
 namespace {
 
-void put(TextBuffer& text, const glm::dvec3& v, std::string_view between) {
-    text << v.x << between << v.y << between << v.z;
+struct Three {
+    glm::dvec3 of;
+    std::string_view between;
+};
+TextBuffer& operator<<(TextBuffer& text, const Three& three) {
+    const auto& [v, between] = three;
+    return text << v.x << between << v.y << between << v.z;
 }
 
 // Printable ASCII.
@@ -41,8 +47,7 @@ std::string comment_text(std::string_view bytes) {
 void put_what_it_is(TextBuffer& text, const LightSamples& lights, const LightListStyle& style) {
     text << static_cast<std::int64_t>(lights.samples.size()) << " lights from " << comment_text(style.source)
          << ", convention " << name_of(style.convention) << ", turned by " << style.rotation_degrees
-         << " degrees; total flux ";
-    put(text, lights.total_flux, " ");
+         << " degrees; total flux " << Three{lights.total_flux, " "};
 }
 
 // Turns +Z to the direction; such lights shine the other way.
@@ -93,20 +98,15 @@ void write_light_json(std::ostream& out, const LightSamples& lights, const Light
          << json_text(style.source) << "\",\n\"position\": \"" << name_of(lights.position)
          << "\",\n\"radiance\": \"" << name_of(lights.radiance) << "\",\n\"order\": \""
          << name_of(lights.order) << "\",\n\"seed\": " << std::to_string(lights.seed)
-         << ",\n\"count\": " << static_cast<std::int64_t>(lights.samples.size()) << ",\n\"total_flux\": [";
-    put(text, lights.total_flux, ", ");
-    text << "],\n\"samples\": [";
+         << ",\n\"count\": " << static_cast<std::int64_t>(lights.samples.size()) << ",\n\"total_flux\": ["
+         << Three{lights.total_flux, ", "} << "],\n\"samples\": [";
     bool first = true;
-    for (const LightSample& sample : lights.samples) {
-        text << (first ? "\n{\"direction\": [" : ",\n{\"direction\": [");
-        first = false;
-        put(text, direction_of(sample, style), ", ");
-        text << "], \"u\": " << sample.uv.x << ", \"v\": " << sample.uv.y << ", \"radiance\": [";
-        put(text, sample.radiance, ", ");
-        text << "], \"pdf\": " << sample.pdf << ", \"weight\": [";
-        put(text, sample.weight, ", ");
-        text << "], \"angular_radius\": " << angular_radius(sample, lights.samples.size()) << '}';
-    }
+    for (const LightSample& sample : lights.samples)
+        text << (std::exchange(first, false) ? "\n{\"direction\": [" : ",\n{\"direction\": [")
+             << Three{direction_of(sample, style), ", "} << "], \"u\": " << sample.uv.x
+             << ", \"v\": " << sample.uv.y << ", \"radiance\": [" << Three{sample.radiance, ", "}
+             << "], \"pdf\": " << sample.pdf << ", \"weight\": [" << Three{sample.weight, ", "}
+             << "], \"angular_radius\": " << angular_radius(sample, lights.samples.size()) << '}';
     text << "\n]\n}\n";
     text.flush();
 }
@@ -119,18 +119,13 @@ void write_light_csv(std::ostream& out, const LightSamples& lights, const LightL
          << "\n# rotation_degrees: " << style.rotation_degrees << "\n# source: " << source
          << "\n# position: " << name_of(lights.position) << "\n# radiance: " << name_of(lights.radiance)
          << "\n# order: " << name_of(lights.order) << "\n# seed: " << std::to_string(lights.seed)
-         << "\n# count: " << static_cast<std::int64_t>(lights.samples.size()) << "\n# total_flux: ";
-    put(text, lights.total_flux, " ");
-    text << '\n';
+         << "\n# count: " << static_cast<std::int64_t>(lights.samples.size())
+         << "\n# total_flux: " << Three{lights.total_flux, " "} << '\n';
     text << "x,y,z,u,v,radiance_r,radiance_g,radiance_b,pdf,weight_r,weight_g,weight_b,angular_radius\n";
-    for (const LightSample& sample : lights.samples) {
-        put(text, direction_of(sample, style), ",");
-        text << ',' << sample.uv.x << ',' << sample.uv.y << ',';
-        put(text, sample.radiance, ",");
-        text << ',' << sample.pdf << ',';
-        put(text, sample.weight, ",");
-        text << ',' << angular_radius(sample, lights.samples.size()) << '\n';
-    }
+    for (const LightSample& sample : lights.samples)
+        text << Three{direction_of(sample, style), ","} << ',' << sample.uv.x << ',' << sample.uv.y << ','
+             << Three{sample.radiance, ","} << ',' << sample.pdf << ',' << Three{sample.weight, ","} << ','
+             << angular_radius(sample, lights.samples.size()) << '\n';
     text.flush();
 }
 
@@ -139,13 +134,10 @@ void write_light_pbrt(std::ostream& out, const LightSamples& lights, const Light
     text << "# ";
     put_what_it_is(text, lights, style);
     text << "\n";
-    for (const LightSample& sample : lights.samples) {
-        text << "LightSource \"distant\" \"point3 from\" [ ";
-        put(text, direction_of(sample, style), " ");
-        text << " ] \"point3 to\" [ 0 0 0 ] \"rgb L\" [ ";
-        put(text, sample.weight, " ");
-        text << " ] \"float scale\" [ 1 ]\n";
-    }
+    for (const LightSample& sample : lights.samples)
+        text << "LightSource \"distant\" \"point3 from\" [ " << Three{direction_of(sample, style), " "}
+             << " ] \"point3 to\" [ 0 0 0 ] \"rgb L\" [ " << Three{sample.weight, " "}
+             << " ] \"float scale\" [ 1 ]\n";
     text.flush();
 }
 
@@ -157,9 +149,8 @@ void write_light_mitsuba(std::ostream& out, const LightSamples& lights, const Li
     for (const LightSample& sample : lights.samples) {
         const glm::dvec3 travel = negated(direction_of(sample, style));
         text << "    <emitter type=\"directional\"><vector name=\"direction\" x=\"" << travel.x << "\" y=\""
-             << travel.y << "\" z=\"" << travel.z << "\"/><rgb name=\"irradiance\" value=\"";
-        put(text, sample.weight, ", ");
-        text << "\"/></emitter>\n";
+             << travel.y << "\" z=\"" << travel.z << "\"/><rgb name=\"irradiance\" value=\""
+             << Three{sample.weight, ", "} << "\"/></emitter>\n";
     }
     text << "</scene>\n";
     text.flush();
@@ -176,9 +167,8 @@ void write_light_usd(std::ostream& out, const LightSamples& lights, const LightL
         const double width = 2 * angular_radius(sample, lights.samples.size());
         text << "    def DistantLight \"Light_" << number++
              << "\"\n    {\n        float inputs:angle = " << std::min(width, 180.0)
-             << "\n        color3f inputs:color = (";
-        put(text, sample.weight, ", ");
-        text << ")\n        float inputs:intensity = 1\n        bool inputs:normalize = 1\n"
+             << "\n        color3f inputs:color = (" << Three{sample.weight, ", "}
+             << ")\n        float inputs:intensity = 1\n        bool inputs:normalize = 1\n"
                 "        quatf xformOp:orient = ("
              << turn.w << ", " << turn.x << ", " << turn.y << ", " << turn.z
              << ")\n        uniform token[] xformOpOrder = [\"xformOp:orient\"]\n    }\n";
@@ -191,14 +181,12 @@ void write_light_gltf(std::ostream& out, const LightSamples& lights, const Light
     TextBuffer text(out);
     text << "{\n\"asset\": {\"version\": \"2.0\", \"generator\": \"Dapple\", \"extras\": {\"what\": \"";
     put_what_it_is(text, lights, style);
-    text
-        << "\"}},\n\"extensionsUsed\": [\"KHR_lights_punctual\"],\n\"extensions\": {\"KHR_lights_punctual\": "
-           "{\"lights\": [";
+    text << "\"}},\n\"extensionsUsed\": [\"KHR_lights_punctual\"],\n\"extensions\": "
+            "{\"KHR_lights_punctual\": {\"lights\": [";
     for (std::size_t i = 0; i < lights.samples.size(); ++i) {
         const Strength strength(lights.samples[i].weight);
-        text << (i == 0 ? "" : ",") << "\n{\"type\": \"directional\", \"color\": [";
-        put(text, strength.colour, ", ");
-        text << "], \"intensity\": " << strength.most << '}';
+        text << (i == 0 ? "" : ",") << "\n{\"type\": \"directional\", \"color\": ["
+             << Three{strength.colour, ", "} << "], \"intensity\": " << strength.most << '}';
     }
     text << "\n]}},\n\"scene\": 0,\n\"scenes\": [{\"nodes\": [0]}],\n\"nodes\": [\n{\"name\": \"Lights\", "
             "\"children\": [";
@@ -220,16 +208,16 @@ void write_light_blender(std::ostream& out, const LightSamples& lights, const Li
     text << "# ";
     put_what_it_is(text, lights, style);
     text << "\n# To be run in Blender: blender scene.blend --python THIS_FILE. The world's own light is left "
-            "as it "
-            "is.\nimport bpy\n\n# The rotation w, x, y, z, the colour, the strength, the width in radians.\n"
+            "as it is.\nimport bpy\n\n# The rotation w, x, y, z, the colour, the strength, the width in "
+            "radians.\n"
             "lights = [\n";
     for (const LightSample& sample : lights.samples) {
         const Quaternion turn(direction_of(sample, style));
         const Strength strength(sample.weight);
         const double radius = angular_radius(sample, lights.samples.size()) * std::numbers::pi / 180;
-        text << "    ((" << turn.w << ", " << turn.x << ", " << turn.y << ", " << turn.z << "), (";
-        put(text, strength.colour, ", ");
-        text << "), " << strength.most << ", " << std::min(2 * radius, std::numbers::pi) << "),\n";
+        text << "    ((" << turn.w << ", " << turn.x << ", " << turn.y << ", " << turn.z << "), ("
+             << Three{strength.colour, ", "} << "), " << strength.most << ", "
+             << std::min(2 * radius, std::numbers::pi) << "),\n";
     }
     text << R"(]
 collection = bpy.data.collections.new("Lights")

@@ -63,10 +63,9 @@ Grid<glm::u8vec3> light_picture(const EnvironmentMap& map, std::span<const glm::
                                 double exposure, double disc_radius) {
     const int times = std::max(1, (kWidth + map.width() - 1) / map.width());
     Grid<glm::u8vec3> picture(map.width() * times, map.height() * times);
-    for (int y = 0; y < picture.height; ++y) {
+    for (int y = 0; y < picture.height; ++y)
         for (int x = 0; x < picture.width; ++x)
             picture.at(x, y) = tone_mapped(map.radiance().at(x / times, y / times), exposure);
-    }
     // All rims first, so that dense discs don't hide each other.
     const glm::dvec2 size(picture.width, picture.height);
     for (const glm::dvec2 p : places) draw_disc(picture, p * size, disc_radius + kRim, 20);

@@ -1,24 +1,17 @@
 #include "core/lights/light_samples.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <cstdint>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numbers>
 #include <numeric>
-#include <optional>
 #include <queue>
-#include <span>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
-#include <vector>
 
-#include "core/image/environment.h"
+#include "core/failure.h"
 #include "core/lights/direction.h"
 #include "core/lights/settling.h"
 #include "core/maths/portable_math.h"
@@ -286,11 +279,10 @@ std::vector<LightRegion> share_light(const EnvironmentMap& map, const Grid<float
         if (!watch.goes_on(kOwnersShare + (1 - kOwnersShare) * j / grid.rows())) return {};
         RowPart upper, lower;
         std::swap(above, below);
-        if (j > 0) {
+        if (j > 0)
             upper = part_of_row(map, j - 1, Side::below);
-        } else {
+        else
             std::ranges::fill(above, Pair{});
-        }
         if (j < map.height()) {
             lower = part_of_row(map, j, Side::above);
             pairs.of_row(j, below);
@@ -311,9 +303,8 @@ std::vector<LightRegion> share_light(const EnvironmentMap& map, const Grid<float
             glm::dvec3 middle{};
             for (const std::uint32_t dot : own)
                 middle += share * direction_of(dots[dot], SphereConvention::openexr);
-            for (const std::uint32_t dot : own) {
+            for (const std::uint32_t dot : own)
                 add(regions[dot], patch, share, direction_of(dots[dot], SphereConvention::openexr) - middle);
-            }
         }
     }
     if (seed) draw_places(power, grid, by_patch, owners, Random(*seed), regions);
@@ -492,8 +483,7 @@ std::vector<glm::dvec2> exact_dots(RankedTile& tile, const Density& density, con
 
 void check_count(std::uint64_t count) {
     if (count < 1 || count > kMostLightSamples)
-        throw std::runtime_error(
-            fmt::format("{} samples are not possible; ask for 1 to {}", count, kMostLightSamples));
+        throw failure("{} samples are not possible; ask for 1 to {}", count, kMostLightSamples);
 }
 
 int turn_of(const EnvironmentMap& map, std::uint64_t seed) {

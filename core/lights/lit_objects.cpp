@@ -8,7 +8,6 @@
 #include <glm/geometric.hpp>
 #include <iterator>
 #include <numbers>
-#include <vector>
 
 #include "core/lights/direction.h"
 #include "core/lights/light_picture.h"
@@ -139,10 +138,9 @@ double ground_step() {
 IrradianceMap::IrradianceMap(std::span<const DistantLight> lights, unsigned exponent, int rows)
     : values_(2 * rows, rows) {
     std::vector<glm::dvec3> normals;
-    for (int y = 0; y < values_.height; ++y) {
+    for (int y = 0; y < values_.height; ++y)
         for (int x = 0; x < values_.width; ++x)
             normals.push_back(direction_of(place_of(values_, x, y), SphereConvention::openexr));
-    }
     values_.values = irradiance(lights, normals, exponent);
 }
 

@@ -4,8 +4,6 @@
 
 #include <cstdint>
 #include <glm/vec2.hpp>
-#include <span>
-#include <string_view>
 #include <vector>
 
 #include "core/image/environment.h"

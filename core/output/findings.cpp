@@ -5,10 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/vec2.hpp>
 #include <limits>
 #include <numbers>
-#include <vector>
 
 #include "core/analysis/distances.h"
 #include "core/output/gcode.h"
@@ -88,18 +86,8 @@ Preflight preflight(const Dots& dots, const PageSize& page, double dot_radius_mm
 double InkedDot::reach_mm(double own_radius_mm, int pen) const {
     const auto i = static_cast<std::size_t>(pen);
     const double half = (i < widths_mm.size() ? widths_mm[i] : stroke_width_mm) / 2;
-    switch (as) {
-        case DotsAs::touches:
-        case DotsAs::lines:
-            return half;
-        case DotsAs::shapes:
-            return std::max(own_radius_mm, half);
-        case DotsAs::printed:
-        case DotsAs::rings:
-        case DotsAs::listed:
-            break;
-    }
-    return own_radius_mm;
+    if (as == DotsAs::touches || as == DotsAs::lines) return half;
+    return as == DotsAs::shapes ? std::max(own_radius_mm, half) : own_radius_mm;
 }
 
 Dots inked_dots(const DotStream& dots, const InkedDot& inked, const PageSize& page) {
@@ -125,6 +113,11 @@ Dots inked_dots(const DotStream& dots, const InkedDot& inked, const PageSize& pa
 }
 
 namespace {
+
+void tell(std::vector<Finding>& found, FindingKind kind, std::string text, std::string cure,
+          double amount = 0) {
+    found.push_back({kind, std::move(text), std::move(cure), amount});
+}
 
 constexpr double kTold = 0.01;  // of the dots: what befalls fewer is not worth a word
 
@@ -154,10 +147,10 @@ void add_hours(std::vector<Finding>& found, const DrawingFacts& facts) {
         amount = 0;
     } else if (lifts)
         cure += ", and one line through all dots lifts the pen once";
-    found.push_back({FindingKind::hours,
-                     fmt::format("plotting takes {} on {}, {}", time_in_words(seconds),
-                                 words_for(*facts.machine), what_takes_longest(facts.plotting)),
-                     std::move(cure), amount});
+    tell(found, FindingKind::hours,
+         fmt::format("plotting takes {} on {}, {}", time_in_words(seconds), words_for(*facts.machine),
+                     what_takes_longest(facts.plotting)),
+         std::move(cure), amount);
 }
 
 void add_tone(std::vector<Finding>& found, const DrawingFacts& facts) {
@@ -165,33 +158,31 @@ void add_tone(std::vector<Finding>& found, const DrawingFacts& facts) {
     const double ratio = facts.for_tone->dots / static_cast<double>(facts.dots);
     if (!far_from_tone(ratio)) return;
     const double own = facts.ink.reach_mm(facts.ink.radius_mm, 0);
-    found.push_back({FindingKind::tone,
-                     fmt::format("the drawing is {} than the picture", ratio > 1 ? "paler" : "darker"),
-                     fmt::format("{} dots {} wide would give its tone, or these dots {} wide",
-                                 about(facts.for_tone->dots), millimetres_in_words(2 * own),
-                                 millimetres_in_words(2 * facts.for_tone->radius_mm)),
-                     in_two_digits(facts.for_tone->dots)});
+    tell(
+        found, FindingKind::tone,
+        fmt::format("the drawing is {} than the picture", ratio > 1 ? "paler" : "darker"),
+        fmt::format("{} dots {} wide would give its tone, or these dots {} wide", about(facts.for_tone->dots),
+                    millimetres_in_words(2 * own), millimetres_in_words(2 * facts.for_tone->radius_mm)),
+        in_two_digits(facts.for_tone->dots));
 }
 
 void add_ink(std::vector<Finding>& found, const DrawingFacts& facts) {
     const Preflight& measured = *facts.measured;
     if (facts.ink.as == DotsAs::rings && facts.dots > 0)
-        found.push_back({FindingKind::rings,
-                         fmt::format("a plotter follows the circles' outlines: {} of rings",
-                                     way_in_words(measured.rings_m)),
-                         "with the dot shape point it touches the paper once for each, and a spiral or a "
-                         "hatch fills them"});
+        tell(found, FindingKind::rings,
+             fmt::format("a plotter follows the circles' outlines: {} of rings",
+                         way_in_words(measured.rings_m)),
+             "with the dot shape point it touches the paper once for each, and a spiral or a hatch fills "
+             "them");
     const double share = share_of(measured.overlapping, facts);
     if (is_drawn_by_pen(facts) && share >= kTold) {
         const bool lines = facts.ink.as == DotsAs::lines;
-        found.push_back(
-            {FindingKind::overlap,
+        tell(found, FindingKind::overlap,
              fmt::format("{:.0f} % of the dots {}, with ink up to {} wide", std::ceil(100 * share - 1e-9),
                          lines ? "are so near to others that the lines run together" : "overlap others",
                          millimetres_in_words(2 * facts.ink.reach_mm(facts.ink.radius_mm, 0))),
-             lines || facts.ink.as == DotsAs::touches
-                 ? "fewer dots, a wider page or a finer pen part them"
-                 : "fewer dots, a wider page or smaller dots part them"});
+             lines || facts.ink.as == DotsAs::touches ? "fewer dots, a wider page or a finer pen part them"
+                                                      : "fewer dots, a wider page or smaller dots part them");
     }
 }
 
@@ -199,18 +190,16 @@ void add_pens(std::vector<Finding>& found, const DrawingFacts& facts) {
     constexpr double kFew = 0.005;  // of all dots
     for (const DrawingFacts::OfPen& pen : facts.pens) {
         if (pen.nearer > 0)
-            found.push_back(
-                {FindingKind::gap,
+            tell(found, FindingKind::gap,
                  fmt::format("{} of {}'s dots are nearer to each other than its smallest gap of {:g} mm, and "
                              "run together",
                              grouped(pen.nearer), pen.name, pen.gap_mm),
-                 "fewer dots or a wider page part them"});
+                 "fewer dots or a wider page part them");
         const bool draws_few = pen.dots > 0 && share_of(pen.dots, facts) < kFew;
         if (draws_few && facts.whole_page && is_drawn_by_pen(facts))
-            found.push_back({FindingKind::few,
-                             fmt::format("{} draws only {} of the dots", pen.name, grouped(pen.dots)),
-                             "without that pen the drawing looks nearly the same, and one change of pens is "
-                             "saved"});
+            tell(found, FindingKind::few,
+                 fmt::format("{} draws only {} of the dots", pen.name, grouped(pen.dots)),
+                 "without that pen the drawing looks nearly the same, and one change of pens is saved");
     }
 }
 
@@ -222,24 +211,23 @@ void add_joined(std::vector<Finding>& found, const DrawingFacts& facts) {
     const double wider = 1.03 * kSaxiJoins / std::max(measured.first_percentile_mm, 1e-9);
     const double apart =
         facts.whole_page ? in_two_digits(static_cast<double>(facts.dots) / (wider * wider)) : 0;
-    found.push_back(
-        {FindingKind::joined,
-         fmt::format("{} {} nearer to others than {:g} mm, which saxi joins by a line, and {} nearer "
-                     "than {:g} mm, which AxiDraw's program does",
+    tell(found, FindingKind::joined,
+         fmt::format("{} {} nearer to others than {:g} mm, which saxi joins by a line, and {} nearer than "
+                     "{:g} mm, which AxiDraw's program does",
                      dots_in_words(measured.nearer_than_saxi), measured.nearer_than_saxi == 1 ? "is" : "are",
                      kSaxiJoins, grouped(measured.nearer_than_axidraw), kAxiDrawJoins),
          apart >= 1 ? fmt::format("{} dots or a page {:.1f} times as wide part them", about(apart), wider)
                     : std::string("fewer dots or a wider page part them"),
-         apart});
+         apart);
 }
 
 void add_long_link(std::vector<Finding>& found, const DrawingFacts& facts) {
     if (facts.longest_link_mm < kLongLink * std::min(facts.page.width_mm, facts.page.height_mm)) return;
     if (facts.ink.as == DotsAs::listed || facts.dots < 100) return;
-    found.push_back({FindingKind::long_link,
-                     fmt::format("the line goes {:.0f} mm straight over bare paper from one dot to another",
-                                 facts.longest_link_mm),
-                     "more dots, or less white in the lightest parts, lead it there in short steps"});
+    tell(found, FindingKind::long_link,
+         fmt::format("the line goes {:.0f} mm straight over bare paper from one dot to another",
+                     facts.longest_link_mm),
+         "more dots, or less white in the lightest parts, lead it there in short steps");
 }
 
 void add_edges(std::vector<Finding>& found, const DrawingFacts& facts) {
@@ -247,26 +235,34 @@ void add_edges(std::vector<Finding>& found, const DrawingFacts& facts) {
     const Preflight& measured = *facts.measured;
     const double reach = std::ceil(facts.ink.reach_mm(facts.ink.radius_mm, 0) * 10) / 10;
     if (measured.over_edge > 0)
-        found.push_back({FindingKind::over_edge,
-                         dots_that(measured.over_edge, "reaches", "reach") + " over the page's edge",
-                         fmt::format("a margin of {:.1f} mm or an automatic one keeps them on it", reach),
-                         reach});
+        tell(found, FindingKind::over_edge,
+             dots_that(measured.over_edge, "reaches", "reach") + " over the page's edge",
+             fmt::format("a margin of {:.1f} mm or an automatic one keeps them on it", reach), reach);
     if (facts.has_margins && measured.outside_margins > 0)
-        found.push_back({FindingKind::in_margins,
-                         dots_that(measured.outside_margins, "reaches", "reach") + " into the margins",
-                         fmt::format("margins wider by {:.1f} mm keep them out", reach), reach});
+        tell(found, FindingKind::in_margins,
+             dots_that(measured.outside_margins, "reaches", "reach") + " into the margins",
+             fmt::format("margins wider by {:.1f} mm keep them out", reach), reach);
+}
+
+// How far a machine's pen reaches, the longer side first; nothing where machines of its kind differ. AxiDraws
+// by axidraw_conf.py.
+struct MachineTravel {
+    double longer_mm = 0, shorter_mm = 0;
+};
+std::optional<MachineTravel> travel_of(Machine machine) {
+    if (machine == Machine::axidraw_v3) return MachineTravel{11.81 * kMmPerInch, 8.58 * kMmPerInch};
+    if (machine == Machine::axidraw_se_a3) return MachineTravel{16.93 * kMmPerInch, 11.69 * kMmPerInch};
+    return std::nullopt;
 }
 
 void add_travel(std::vector<Finding>& found, const DrawingFacts& facts) {
     const double longest = std::max(facts.page.width_mm, facts.page.height_mm);
     if (facts.reach_mm > 0 && longest > facts.reach_mm)
-        found.push_back(
-            {FindingKind::too_large,
-             fmt::format(
-                 "the page, {:.0f} x {:.0f} mm, is larger than the {:.0f} mm up to which pen plotters "
-                 "read HPGL's numbers",
-                 facts.page.width_mm, facts.page.height_mm, std::floor(facts.reach_mm)),
-             "a smaller page or several sheets fit"});
+        tell(found, FindingKind::too_large,
+             fmt::format("the page, {:.0f} x {:.0f} mm, is larger than the {:.0f} mm up to which pen "
+                         "plotters read HPGL's numbers",
+                         facts.page.width_mm, facts.page.height_mm, std::floor(facts.reach_mm)),
+             "a smaller page or several sheets fit");
     if (!facts.machine) return;
     const auto travel = travel_of(*facts.machine);
     if (!travel) return;
@@ -275,12 +271,10 @@ void add_travel(std::vector<Finding>& found, const DrawingFacts& facts) {
     if (std::max(width, height) <= travel->longer_mm + 0.5 &&
         std::min(width, height) <= travel->shorter_mm + 0.5)
         return;
-    found.push_back(
-        {FindingKind::too_large,
-         fmt::format("the page, {:.0f} x {:.0f} mm, is larger than the {:.0f} x {:.0f} mm that {} "
-                     "reaches",
+    tell(found, FindingKind::too_large,
+         fmt::format("the page, {:.0f} x {:.0f} mm, is larger than the {:.0f} x {:.0f} mm that {} reaches",
                      width, height, travel->longer_mm, travel->shorter_mm, words_for(*facts.machine)),
-         "a smaller page or several sheets fit"});
+         "a smaller page or several sheets fit");
 }
 
 void add_numbers(std::vector<Finding>& found, const DrawingFacts& facts) {
@@ -288,91 +282,70 @@ void add_numbers(std::vector<Finding>& found, const DrawingFacts& facts) {
         const bool lines = facts.ink.as == DotsAs::lines;
         const std::uint64_t most = lines ? kMostSvgPathDots : kMostSvgElements;
         if (facts.dots > most)
-            found.push_back(
-                {FindingKind::too_many,
+            tell(found, FindingKind::too_many,
                  fmt::format("rsvg-convert and the many programs that show an SVG as it does refuse {}",
                              lines ? fmt::format("a line through more than about {} dots", grouped(most))
                                    : fmt::format("more than {} dots", grouped(most))),
                  "they do read fewer dots, a region, sheets or a PDF",
-                 facts.whole_page ? static_cast<double>(most) : 0});
+                 facts.whole_page ? static_cast<double>(most) : 0);
     }
     if (!facts.measured && facts.ink.as != DotsAs::listed)
-        found.push_back({FindingKind::not_looked,
-                         "there are too many dots to check how near they are to each other and to the edges",
-                         "a region of the page can be checked"});
+        tell(found, FindingKind::not_looked,
+             "there are too many dots to check how near they are to each other and to the edges",
+             "a region of the page can be checked");
 }
 
 void add_pixels(std::vector<Finding>& found, const DrawingFacts& facts) {
     const double width = 2 * facts.ink.reach_mm(facts.ink.radius_mm, 0);
     if (!(facts.dpi > 0) || !(width > 0) || width * facts.dpi >= kMmPerInch) return;
     const double dpi = std::ceil(2 * kMmPerInch / width / 10) * 10;
-    found.push_back({FindingKind::fine_pixels,
-                     fmt::format("dots {} wide are finer than a pixel, and come out as greys",
-                                 millimetres_in_words(width)),
-                     fmt::format("{:.0f} dots per inch or more show each", dpi), dpi});
+    tell(found, FindingKind::fine_pixels,
+         fmt::format("dots {} wide are finer than a pixel, and come out as greys",
+                     millimetres_in_words(width)),
+         fmt::format("{:.0f} dots per inch or more show each", dpi), dpi);
 }
 
 void add_dwell(std::vector<Finding>& found, const DrawingFacts& facts) {
     const double rest = grbl_rest_s(facts.dwell_s);
     if (rest > 1.01 * facts.dwell_s)
-        found.push_back(
-            {FindingKind::dwell,
+        tell(found, FindingKind::dwell,
              fmt::format("Grbl rests {:g} s where {:g} s are asked for, as it rounds up to {:g} s", rest,
                          facts.dwell_s, kGrblRestStepS),
-             fmt::format("with a dwell of {:g} s the file says what the machine does", rest), rest});
+             fmt::format("with a dwell of {:g} s the file says what the machine does", rest), rest);
     if (facts.burst_s > 0)
-        found.push_back(
-            {FindingKind::dwell,
+        tell(found, FindingKind::dwell,
              fmt::format("bursts of {:g} s are burned by M4 along {:g} mm, as no G4 is that short",
                          facts.burst_s, kBurstMm),
-             "Grbl needs its laser mode for that, which $32=1 turns on"});
+             "Grbl needs its laser mode for that, which $32=1 turns on");
 }
 
 void add_gcode(std::vector<Finding>& found, const DrawingFacts& facts) {
     const DrawingFacts::Gcode& gcode = facts.gcode;
     if (gcode.no_time)
-        found.push_back(
-            {FindingKind::no_time,
-             "at each dot the tool is turned there and back at once: a servo has no time to lower "
-             "the pen, and a laser none to burn",
-             "a rest between the two, such as G4 P{dwell} with a dwell above 0, gives it some"});
+        tell(found, FindingKind::no_time,
+             "at each dot the tool is turned there and back at once: a servo has no time to lower the pen, "
+             "and a laser none to burn",
+             "a rest between the two, such as G4 P{dwell} with a dwell above 0, gives it some");
     if (gcode.milliseconds)
-        found.push_back(
-            {FindingKind::milliseconds,
-             "M280 is Marlin's, which reads the number after G4 P as milliseconds, and {dwell} is "
-             "in seconds",
-             "G4 S{dwell} rests as long as it says"});
+        tell(found, FindingKind::milliseconds,
+             "M280 is Marlin's, which reads the number after G4 P as milliseconds, and {dwell} is in seconds",
+             "G4 S{dwell} rests as long as it says");
     if (gcode.lines_per_s > gcode.most_lines_per_s)
-        found.push_back(
-            {FindingKind::serial,
+        tell(found, FindingKind::serial,
              fmt::format(
                  "the machine wants {} lines of G-code a second, and a serial line of {} baud carries {}",
                  about(gcode.lines_per_s), grouped(kSerialBaud), about(gcode.most_lines_per_s)),
-             "a lower --feed or a file on the machine's own card keeps it from waiting at each"});
+             "a lower --feed or a file on the machine's own card keeps it from waiting at each");
     for (const std::string& word : gcode.uncounted)
-        found.push_back({FindingKind::uncounted,
-                         fmt::format("the time does not count what {} of the template takes", word),
-                         "G0, G1 and G4 are counted"});
+        tell(found, FindingKind::uncounted,
+             fmt::format("the time does not count what {} of the template takes", word),
+             "G0, G1 and G4 are counted");
 }
 
 }  // namespace
 
 std::string sentence_of(const Finding& finding) {
     return finding.text + "; " + finding.cure;
-}
-
-std::optional<MachineTravel> travel_of(Machine machine) {
-    switch (machine) {
-        case Machine::axidraw_v3:
-            return MachineTravel{11.81 * kMmPerInch, 8.58 * kMmPerInch};
-        case Machine::axidraw_se_a3:
-            return MachineTravel{16.93 * kMmPerInch, 11.69 * kMmPerInch};
-        case Machine::idraw:
-        case Machine::grbl_pen:
-        case Machine::grbl_laser:
-            break;
-    }
-    return std::nullopt;
 }
 
 std::vector<Finding> findings_of(const DrawingFacts& facts) {
@@ -391,16 +364,14 @@ std::vector<Finding> findings_of(const DrawingFacts& facts) {
     add_numbers(found, facts);
     add_pixels(found, facts);
     if (facts.has_tile_layer)
-        found.push_back(
-            {FindingKind::tile_layer,
+        tell(found, FindingKind::tile_layer,
              "the layer \"% Tiles\" has lines, which AxiDraw's software skips and other programs plot",
-             "hide that layer, or leave the tile boundaries out"});
+             "hide that layer, or leave the tile boundaries out");
     if (facts.has_background)
-        found.push_back(
-            {FindingKind::background,
-             "the layer \"% Background\" is a shape as large as the page, which AxiDraw's software "
-             "skips and other programs plot",
-             "hide that layer, or leave the background out"});
+        tell(found, FindingKind::background,
+             "the layer \"% Background\" is a shape as large as the page, which AxiDraw's software skips and "
+             "other programs plot",
+             "hide that layer, or leave the background out");
     add_dwell(found, facts);
     add_gcode(found, facts);
     return found;

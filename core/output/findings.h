@@ -6,7 +6,6 @@
 #include <glm/vec2.hpp>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "core/export.h"
@@ -167,13 +166,6 @@ inline constexpr int kSerialBaud = 115'200;
 /// ("cannot load more than 1000000 XML elements"); and by libxml2 no attribute longer than ten million
 /// letters, which a path through more dots than the other number is.
 inline constexpr std::uint64_t kMostSvgElements = 1'000'000, kMostSvgPathDots = 600'000;
-
-/// How far a machine's pen reaches, in millimetres, the longer side first; nothing where machines of its kind
-/// differ. AxiDraws by axidraw_conf.py: 11.81 x 8.58 and 16.93 x 11.69 in.
-struct MachineTravel {
-    double longer_mm = 0, shorter_mm = 0;
-};
-std::optional<MachineTravel> travel_of(Machine machine);
 
 /// The most important first; nothing where all is well.
 std::vector<Finding> findings_of(const DrawingFacts& facts);

@@ -10,7 +10,6 @@
 #include <span>
 #include <sstream>
 #include <stdexcept>
-#include <string_view>
 #include <utility>
 
 #include "core/output/drawing_format.h"
@@ -31,31 +30,19 @@ constexpr double kPlaceGridMm = 0.001;
 
 // `dot`: from the page's lower left corner.
 double number_for(PieceKind kind, const GcodeStyle& style, const InkDot& dot) {
-    switch (kind) {
-        case PieceKind::x:
-            return dot.at.x;
-        case PieceKind::y:
-            return dot.at.y;
-        case PieceKind::radius:
-            return dot.radius_mm;
-        case PieceKind::feed:
-            return style.feed_mm_per_min;
-        case PieceKind::dwell:
-            return style.dwell_s;
-        case PieceKind::burn:
-            return burst_feed(style.dwell_s);
-        case PieceKind::up:
-            return style.heights.up;
-        case PieceKind::down:
-            return style.heights.down;
-        case PieceKind::power:
-            return style.laser_power;
-        case PieceKind::text:
-        case PieceKind::pen:
-        case PieceKind::name:
-            break;
-    }
-    return 0;
+    // In the order of PieceKind, whose first is text.
+    const std::array numbers{0.0,
+                             dot.at.x,
+                             dot.at.y,
+                             dot.radius_mm,
+                             style.feed_mm_per_min,
+                             style.dwell_s,
+                             burst_feed(style.dwell_s),
+                             style.heights.up,
+                             style.heights.down,
+                             style.laser_power};
+    const auto i = static_cast<std::size_t>(kind);
+    return i < numbers.size() ? numbers[i] : 0;
 }
 
 void write_number(TextBuffer& text, PieceKind kind, const GcodeStyle& style, const InkDot& dot) {
@@ -239,9 +226,8 @@ GcodeProgram program_of(const InkPage& page, GcodeTool tool, double acceleration
     const GcodeStyle style = page.gcode.value_or(GcodeStyle{});
     const GcodeTemplate& lines = style.lines;
     // The whole template first: M280 anywhere tells whose it is.
-    for (const auto& each : {lines.start, lines.each_dot, lines.down, lines.up}) {
+    for (const auto& each : {lines.start, lines.each_dot, lines.down, lines.up})
         for (const GcodePiece& piece : each) result.is_marlin |= piece.text.find("M280") != piece.text.npos;
-    }
     Reader reader(result, style, tool, page.dot_radius_mm);
     const Part moving = &PlottingTime::moving_s, lifting = &PlottingTime::lifting_s;
     MachineProgram& program = result.program;
@@ -430,15 +416,13 @@ void check_whole(const GcodeTemplate& lines, const TextLines& at) {
         at.fail(
             "the template ends without all of down, line and up; give all three or none, and {x} and {y} in "
             "line and in move");
-    for (const auto& once : {lines.start, lines.end, lines.pen}) {
+    for (const auto& once : {lines.start, lines.end, lines.pen})
         if (std::ranges::any_of(once, [&](const GcodePiece& piece) { return is_of_a_dot(piece.kind); }))
             at.fail("{x}, {y} and {radius} belong to a dot; leave them out of start, pen and end lines");
-    }
     for (const auto& other :
-         {lines.start, lines.end, lines.each_dot, lines.move, lines.down, lines.line, lines.up}) {
+         {lines.start, lines.end, lines.each_dot, lines.move, lines.down, lines.line, lines.up})
         if (std::ranges::any_of(other, [&](const GcodePiece& piece) { return is_of_a_pen(piece.kind); }))
             at.fail("{pen} and {name} belong to a pen; use them only in lines that begin with pen");
-    }
 }
 
 // What stands in a comment, which ( and ) would end.
@@ -538,8 +522,7 @@ class GcodeWriter : public InkWriter {
         if (lines_.line.empty())
             throw std::runtime_error(
                 "the template for G-code does not say how to draw lines; add lines that begin with down, "
-                "line "
-                "and up");
+                "line and up");
         write(lines_.move, points[0], radius_mm);
         write(lines_.down, points[0], radius_mm);
         for (const glm::dvec2 p : points.subspan(1)) write(lines_.line, p, radius_mm);

@@ -5,9 +5,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 #include <optional>
-#include <vector>
 
-#include "core/analysis/distances.h"
 #include "core/placing/stipple.h"
 #include "core/routing/short_way.h"
 #include "core/strokes/dot_shape.h"

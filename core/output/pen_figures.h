@@ -2,7 +2,6 @@
 // What several pens come to, each by itself: told before they are plotted.
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 
@@ -84,26 +83,17 @@ MachineProgram program_of(Machine machine) {
                       .drawing_acceleration = 0.75 * 40 * kMmPerInch,
                       .corner_mm = 10 / 5000.0 * kMmPerInch,
                       .slice_s = 0.025};
-            return program_with({.up = 75 * full,
-                                 .down = 25 * full,
-                                 .lower_s = axidraw_lift_s(50),
-                                 .raise_s = axidraw_lift_s(75)},
-                                motion);
+            return program_with({75 * full, 25 * full, axidraw_lift_s(50), axidraw_lift_s(75)}, motion);
         }
         case Machine::idraw: {
             const double full = 24950 / 2032.0 * kMmPerInch / 110, ramp_s = 0.2, lift_s = 20 / 150.0;
             motion = {.acceleration = 75 * full / ramp_s,
                       .drawing_acceleration = 25 * full / ramp_s,
                       .corner_mm = 2 / 1000.0 * kMmPerInch};
-            return program_with({.up = 75 * full, .down = 25 * full, .lower_s = lift_s, .raise_s = lift_s},
-                                motion);
+            return program_with({75 * full, 25 * full, lift_s, lift_s}, motion);
         }
         case Machine::grbl_pen:
-            return program_with({.up = grbl_speed,
-                                 .down = grbl_speed,
-                                 .lower_s = axidraw_lift_s(100),
-                                 .raise_s = axidraw_lift_s(100)},
-                                motion);
+            return program_with({grbl_speed, grbl_speed, axidraw_lift_s(100), axidraw_lift_s(100)}, motion);
         case Machine::grbl_laser:
             return program_with({.up = grbl_speed, .down = grbl_speed, .dot_s = 0.1}, motion);
     }
@@ -245,26 +235,15 @@ PlottingTime expected_plotting_time(double dots, double area_mm2, const MachineP
     const auto of_each = [&](double PlottingTime::*part) {
         return dots * (clock.time().*part - before.*part) / kDotsTimed;
     };
-    return {.moving_s = of_each(kMoving),
-            .lifting_s = of_each(kLifting),
-            .dots_s = of_each(kDots),
-            .drawing_s = of_each(kDrawing)};
+    return {of_each(kMoving), of_each(kLifting), of_each(kDots), of_each(kDrawing)};
 }
 
 std::string_view words_for(Machine machine) {
-    switch (machine) {
-        case Machine::axidraw_v3:
-            return "an AxiDraw V3";
-        case Machine::axidraw_se_a3:
-            return "an AxiDraw SE/A3";
-        case Machine::idraw:
-            return "an iDraw";
-        case Machine::grbl_pen:
-            return "a pen plotter that runs Grbl";
-        case Machine::grbl_laser:
-            return "a laser that runs Grbl";
-    }
-    return "";
+    // In the order of Machine.
+    constexpr std::array kWords{"an AxiDraw V3", "an AxiDraw SE/A3", "an iDraw",
+                                "a pen plotter that runs Grbl", "a laser that runs Grbl"};
+    static_assert(kWords.size() == names_of(Machine()).size());
+    return kWords[static_cast<std::size_t>(machine)];
 }
 
 std::string time_in_words(double seconds) {

@@ -6,13 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <glm/vec2.hpp>
 #include <optional>
-#include <stdexcept>
-#include <string>
-#include <string_view>
-#include <vector>
 
+#include "core/failure.h"
 #include "core/text/length.h"
 #include "core/text/number_words.h"
 #include "core/text/xml_text.h"
@@ -49,8 +45,7 @@ std::vector<std::string> steps_for(const AssemblyPlan& plan) {
     if (overlap > 0) {
         if (sheets.columns > 1)
             lines.push_back(
-                fmt::format("2. From column B on, cut {:g} mm off each sheet's left side, along "
-                            "the marks.",
+                fmt::format("2. From column B on, cut {:g} mm off each sheet's left side, along the marks.",
                             overlap / 2));
         if (sheets.rows > 1)
             lines.push_back(fmt::format("{} From row 2 on, cut {:g} mm off each sheet's upper side.",
@@ -133,10 +128,8 @@ void write_assembly_plan(std::ostream& out, const AssemblyPlan& plan) {
         lines.push_back(
             fmt::format("Grey: the {:g} mm that neighbours share. Dashed: where to cut.", sheets.overlap_mm));
     if (several)
-        lines.push_back(
-            fmt::format("The next sheet begins {:.5g} mm further right, or {:.5g} mm further "
-                        "down.",
-                        step.x, step.y));
+        lines.push_back(fmt::format(
+            "The next sheet begins {:.5g} mm further right, or {:.5g} mm further down.", step.x, step.y));
     for (std::string& line : steps_for(plan)) lines.push_back(std::move(line));
     double y = kPictureTop + kPictureHeight + 14;
     for (const std::string& line : lines) {
@@ -174,11 +167,11 @@ void check_overlap(const PageSize& page, const Sheet& sheet) {
     const glm::dvec2 overlap = overlap_of(sheet);
     const double across = page.width_mm / (sheet.columns + 1), down = page.height_mm / (sheet.rows + 1);
     if (overlap.x < across && overlap.y < down) return;
-    throw std::runtime_error(
-        fmt::format("an overlap of {:g} mm is too wide for {} x {} sheets of a page of {:.4g} x {:.4g} mm; "
-                    "choose less than {:.3g} mm",
-                    sheet.overlap_mm, sheet.columns, sheet.rows, page.width_mm, page.height_mm,
-                    std::min(sheet.columns > 1 ? across : down, sheet.rows > 1 ? down : across)));
+    throw failure(
+        "an overlap of {:g} mm is too wide for {} x {} sheets of a page of {:.4g} x {:.4g} mm; choose less "
+        "than {:.3g} mm",
+        sheet.overlap_mm, sheet.columns, sheet.rows, page.width_mm, page.height_mm,
+        std::min(sheet.columns > 1 ? across : down, sheet.rows > 1 ? down : across));
 }
 
 // From and to in millimetres.
@@ -193,32 +186,24 @@ PageSpan span_between(double from, double to, double page_mm, double mm_per_page
 Sheet parse_sheet(std::string_view text) {
     const auto numbers = numbers_of<int, 4>(text, ",/x");
     if (!numbers) {
-        throw std::runtime_error(
-            fmt::format("'{}' is not a sheet; write COLUMN,ROW/COLUMNSxROWS, for example 2,1/3x4", text));
+        throw failure("'{}' is not a sheet; write COLUMN,ROW/COLUMNSxROWS, for example 2,1/3x4", text);
     }
     const auto [column, row, columns, rows] = *numbers;
-    if (columns < 1 || rows < 1 || columns > kMostSheets || rows > kMostSheets) {
-        throw std::runtime_error(
-            fmt::format("'{}': a mural has from 1 to {} sheets a side", text, kMostSheets));
-    }
-    if (column < 1 || row < 1 || column > columns || row > rows) {
-        throw std::runtime_error(
-            fmt::format("'{}': sheets are counted from 1,1 to {},{}", text, columns, rows));
-    }
+    if (columns < 1 || rows < 1 || columns > kMostSheets || rows > kMostSheets)
+        throw failure("'{}': a mural has from 1 to {} sheets a side", text, kMostSheets);
+    if (column < 1 || row < 1 || column > columns || row > rows)
+        throw failure("'{}': sheets are counted from 1,1 to {},{}", text, columns, rows);
     return {column, row, columns, rows};
 }
 
 Sheet parse_sheets(std::string_view text) {
     const auto numbers = numbers_of<int, 2>(text, "x");
     if (!numbers) {
-        throw std::runtime_error(
-            fmt::format("'{}' are no sheets; write COLUMNSxROWS, for example 3x4", text));
+        throw failure("'{}' are no sheets; write COLUMNSxROWS, for example 3x4", text);
     }
     const auto [columns, rows] = *numbers;
-    if (columns < 1 || rows < 1 || columns > kMostSheetsAtOnce || rows > kMostSheetsAtOnce) {
-        throw std::runtime_error(
-            fmt::format("'{}': there are from 1 to {} sheets a side", text, kMostSheetsAtOnce));
-    }
+    if (columns < 1 || rows < 1 || columns > kMostSheetsAtOnce || rows > kMostSheetsAtOnce)
+        throw failure("'{}': there are from 1 to {} sheets a side", text, kMostSheetsAtOnce);
     return {.columns = columns, .rows = rows};
 }
 
@@ -266,25 +251,19 @@ static std::optional<std::array<double, 4>> lengths_of_region(std::string_view t
 Rectangle<double> parse_region(std::string_view text) {
     const auto lengths = lengths_of_region(text);
     if (!lengths) {
-        throw std::runtime_error(
-            fmt::format("'{}' is not a region; write X,Y,WIDTHxHEIGHT, for example 20,15,100x80 in "
-                        "millimetres or 1,1,4x3in",
-                        text));
+        throw failure(
+            "'{}' is not a region; write X,Y,WIDTHxHEIGHT, for example 20,15,100x80 in millimetres or "
+            "1,1,4x3in",
+            text);
     }
     const auto [x, y, width, height] = *lengths;
-    for (const double length : {x, y, x + width, y + height}) {
-        if (std::isinf(length))
-            throw std::runtime_error(
-                fmt::format("'{}': a region lies on the page, and none is so large", text));
-    }
+    for (const double length : {x, y, x + width, y + height})
+        if (std::isinf(length)) throw failure("'{}': a region lies on the page, and none is so large", text);
     // Written so that what is not a number is refused too.
-    if (!(x >= 0) || !(y >= 0)) {
-        throw std::runtime_error(
-            fmt::format("'{}': a region's corner is counted from the page's, from 0 up", text));
-    }
-    if (!(width > 0) || !(height > 0)) {
-        throw std::runtime_error(fmt::format("'{}': a region needs a width and a height over 0", text));
-    }
+    if (!(x >= 0) || !(y >= 0))
+        throw failure("'{}': a region's corner is counted from the page's, from 0 up", text);
+    if (!(width > 0) || !(height > 0))
+        throw failure("'{}': a region needs a width and a height over 0", text);
     return {{x, y}, {x + width, y + height}};
 }
 
@@ -354,11 +333,9 @@ Excerpt region_of(const PageSize& page, const Rectangle<double>& region, glm::dv
     const glm::dvec2 margin = picture_corner_mm / page.mm_per_page_unit;
     const auto [low, high] = region;
     const bool begins_on_page = low.x < page.width_mm && low.y < page.height_mm;
-    if (!begins_on_page || high.x > page.width_mm + kRoundingMm || high.y > page.height_mm + kRoundingMm) {
-        throw std::runtime_error(
-            fmt::format("the region reaches to {:.10g} x {:.10g} mm, and the page is {:.10g} x {:.10g} mm",
-                        high.x, high.y, page.width_mm, page.height_mm));
-    }
+    if (!begins_on_page || high.x > page.width_mm + kRoundingMm || high.y > page.height_mm + kRoundingMm)
+        throw failure("the region reaches to {:.10g} x {:.10g} mm, and the page is {:.10g} x {:.10g} mm",
+                      high.x, high.y, page.width_mm, page.height_mm);
     return {{span_between(low.x, high.x, page.width_mm, page.mm_per_page_unit, margin.x),
              span_between(low.y, high.y, page.height_mm, page.mm_per_page_unit, margin.y)},
             {std::min(high.x, page.width_mm) - low.x, std::min(high.y, page.height_mm) - low.y,

@@ -65,10 +65,9 @@ class SvgWriter : public InkWriter {
         text_.fixed(size.y, 4) << R"(mm" viewBox="0 0 )";
         text_.fixed(size.x * kPxPerMm, 4) << ' ';
         text_.fixed(size.y * kPxPerMm, 4) << "\">\n";
-        if (!page.settings.empty()) {
+        if (!page.settings.empty())
             text_ << "<metadata><" << kSvgSettingsElement << R"( xmlns:dapple="urn:x-dapple:settings">)"
                   << page.settings << "</" << kSvgSettingsElement << "></metadata>\n";
-        }
         if (page.background) {
             begin_layer("% Background", "background");
             text_ << R"(><rect width="100%" height="100%" fill=")" << hex_of(*page.background)

@@ -6,10 +6,9 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 #include <string>
 
-#include "core/strokes/strokes.h"
+#include "core/failure.h"
 
 namespace dapple {
 namespace {
@@ -73,6 +72,18 @@ void draw_tone(Drawn& drawn, glm::dvec2 corner, double side, double dot_width, i
         }
 }
 
+// The gaps of a pen's pairs that lie side by side on a sheet so wide, in millimetres, from 0 on.
+std::vector<double> tested_gaps(double pen_width_mm, double room_mm) {
+    constexpr double kMostOfWidth = 0.75;
+    constexpr std::size_t kMostGaps = 16;
+    const auto fit = static_cast<std::size_t>(room_mm / sizes_for(pen_width_mm).column);
+    const std::size_t count = std::clamp<std::size_t>(fit, 2, kMostGaps);
+    const double step = round_step(kMostOfWidth * pen_width_mm / static_cast<double>(count));
+    std::vector<double> gaps;
+    for (std::size_t i = 0; i < count; ++i) gaps.push_back(static_cast<double>(i) * step);
+    return gaps;
+}
+
 // Returns how high the block is.
 double draw_block(Drawn drawn, const Pen& pen, int number, glm::dvec2 corner, double room) {
     const auto [letter, pair_step, column, patch] = sizes_for(pen.width_mm);
@@ -108,41 +119,28 @@ double draw_block(Drawn drawn, const Pen& pen, int number, glm::dvec2 corner, do
 
 void check_pen(const Pen& pen) {
     if (!(pen.width_mm > 0))
-        throw std::runtime_error(fmt::format(
+        throw failure(
             "{} has no width, which its dots are compared with; give one, as in cmyk:0.3 or Sky:#3aa0d8:0.3",
-            pen.name));
+            pen.name);
     if (pen.width_mm < kFinestTestedMm)
-        throw std::runtime_error(fmt::format(
-            "{} is {:g} mm wide, and a test sheet would have millions of its dots; give the width "
-            "of a real pen, {:g} mm or more",
-            pen.name, pen.width_mm, kFinestTestedMm));
+        throw failure(
+            "{} is {:g} mm wide, and a test sheet would have millions of its dots; give the width of a real "
+            "pen, {:g} mm or more",
+            pen.name, pen.width_mm, kFinestTestedMm);
     if (pen.width_mm > kWidestTestedMm)
-        throw std::runtime_error(fmt::format("{} is {:g} mm wide; a test sheet has room for up to {:g} mm",
-                                             pen.name, pen.width_mm, kWidestTestedMm));
+        throw failure("{} is {:g} mm wide; a test sheet has room for up to {:g} mm", pen.name, pen.width_mm,
+                      kWidestTestedMm);
 }
 
 }  // namespace
-
-std::vector<double> tested_gaps(double pen_width_mm, double room_mm) {
-    constexpr double kMostOfWidth = 0.75;
-    constexpr std::size_t kMostGaps = 16;
-    const auto fit = static_cast<std::size_t>(room_mm / sizes_for(pen_width_mm).column);
-    const std::size_t count = std::clamp<std::size_t>(fit, 2, kMostGaps);
-    const double step = round_step(kMostOfWidth * pen_width_mm / static_cast<double>(count));
-    std::vector<double> gaps;
-    for (std::size_t i = 0; i < count; ++i) gaps.push_back(static_cast<double>(i) * step);
-    return gaps;
-}
 
 TestSheet test_sheet(std::span<const Pen> pens, const PageSize& page) {
     for (const Pen& pen : pens) check_pen(pen);
     const double room = page.width_mm - 2 * kBorderMm;
     constexpr double kLeastRoomMm = 150, kHeaderMm = 2, kHeadedMm = 6, kBetweenMm = 3;
     if (room < kLeastRoomMm)
-        throw std::runtime_error(
-            fmt::format("a test sheet is {:g} mm wide, and the page is {:g}; give "
-                        "a4 or a larger page",
-                        kLeastRoomMm + 2 * kBorderMm, page.width_mm));
+        throw failure("a test sheet is {:g} mm wide, and the page is {:g}; give a4 or a larger page",
+                      kLeastRoomMm + 2 * kBorderMm, page.width_mm);
     TestSheet sheet;
     glm::dvec2 corner(kBorderMm, kBorderMm + kHeadedMm);
     for (std::size_t i = 0; i < pens.size(); ++i) {
@@ -156,10 +154,10 @@ TestSheet test_sheet(std::span<const Pen> pens, const PageSize& page) {
     double lowest = 0;
     for (const glm::dvec2 point : sheet.strokes.points) lowest = std::max(lowest, point.y);
     if (lowest > page.height_mm - kBorderMm / 2)
-        throw std::runtime_error(
-            fmt::format("the test sheet of these pens is {:.0f} mm high, and the page is {:g}; give fewer "
-                        "pens, or a larger page",
-                        lowest + kBorderMm / 2, page.height_mm));
+        throw failure(
+            "the test sheet of these pens is {:.0f} mm high, and the page is {:g}; give fewer pens, or a "
+            "larger page",
+            lowest + kBorderMm / 2, page.height_mm);
     return sheet;
 }
 

@@ -29,9 +29,6 @@ struct TestSheet {
     std::uint64_t dots = 0;  // among them
 };
 
-/// The gaps of a pen's pairs that lie side by side on a sheet so wide, in millimetres, from 0 on.
-std::vector<double> tested_gaps(double pen_width_mm, double room_mm);
-
 /// Pens in the order of their numbers. Throws std::runtime_error saying what to do if one has no width or too
 /// large a one, or if the page is too small.
 TestSheet test_sheet(std::span<const Pen> pens, const PageSize& page);

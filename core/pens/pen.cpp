@@ -5,12 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <glm/geometric.hpp>
 #include <optional>
 #include <stdexcept>
 #include <utility>
 
-#include "core/image/colour.h"
+#include "core/failure.h"
 #include "core/pens/separation.h"
 #include "core/text/length.h"
 #include "core/text/number_words.h"
@@ -44,9 +43,8 @@ std::vector<std::string_view> parts_of(std::string_view text, char at) {
 double pen_length(std::string_view text, const char* what) {
     const std::optional<double> length = millimetres_of(text);
     if (!length || !(*length > 0) || *length > kWidestPenMm)
-        throw std::runtime_error(
-            fmt::format("{} is no pen's {}; give millimetres over 0 and at most {:g}, such as 0.3", text,
-                        what, kWidestPenMm));
+        throw failure("{} is no pen's {}; give millimetres over 0 and at most {:g}, such as 0.3", text, what,
+                      kWidestPenMm);
     return *length;
 }
 
@@ -62,9 +60,8 @@ TipSize tip_size(std::string_view text) {
     const std::string_view behind = without_spaces(text.substr(plus + 1));
     const std::optional<double> gain = millimetres_of(behind);
     if (!gain || !(*gain >= 0) || *gain > kMostGainMm)
-        throw std::runtime_error(
-            fmt::format("{} is no dot gain; give 0 to {:g} millimetres behind the width, such as 0.3+0.05",
-                        behind, kMostGainMm));
+        throw failure("{} is no dot gain; give 0 to {:g} millimetres behind the width, such as 0.3+0.05",
+                      behind, kMostGainMm);
     size.gain_mm = *gain;
     return size;
 }
@@ -74,25 +71,24 @@ constexpr std::string_view kBlackWord = "black=";
 double black_share(std::string_view text) {
     const std::optional<double> share = number_of<double>(text.substr(kBlackWord.size()));
     if (!share || !(*share >= 0 && *share <= 1))
-        throw std::runtime_error(
-            fmt::format("{} is not possible; give 0 to 1, as in cmyk:0.3:black=0.8", text));
+        throw failure("{} is not possible; give 0 to 1, as in cmyk:0.3:black=0.8", text);
     return *share;
 }
 
 void check_name(std::string_view name) {
     if (!is_pen_name(name))
-        throw std::runtime_error(fmt::format(
-            "\"{}\" is no pen's name; give up to 40 plain letters, digits, spaces and - _ . ( )", name));
+        throw failure("\"{}\" is no pen's name; give up to 40 plain letters, digits, spaces and - _ . ( )",
+                      name);
 }
 
 // "Sky:#3aa0d8:0.3"
 Pen parse_pen(std::string_view text) {
     const std::vector<std::string_view> parts = parts_of(text, ':');
     if (parts.size() < 2 || parts.size() > 4)
-        throw std::runtime_error(fmt::format(
+        throw failure(
             "\"{}\" is no pen; give a name, a colour and, if wanted, a width, as in Sky:#3aa0d8:0.3, and a "
             "smallest gap between its dots, as in Sky:#3aa0d8:0.3:0.6",
-            text));
+            text);
     check_name(parts[0]);
     Pen pen{.name = std::string(parts[0]), .colour = parse_colour(parts[1])};
     if (parts.size() >= 3) {
@@ -168,14 +164,11 @@ bool has_colour(const Palette& pens) {
 PenChoice own_pens(Palette pens) {
     for (const Pen& pen : pens)
         if (std::ranges::count(pens, pen.name, &Pen::name) > 1)
-            throw std::runtime_error(
-                fmt::format("two pens are called {}; give each a name of its own", pen.name));
+            throw failure("two pens are called {}; give each a name of its own", pen.name);
     if (pens.empty() || pens.size() > kMostPens)
-        throw std::runtime_error(
-            fmt::format("{} pens are not possible; give 1 to {}", pens.size(), kMostPens));
+        throw failure("{} pens are not possible; give 1 to {}", pens.size(), kMostPens);
     if (names_pen_set(pens.front().name))
-        throw std::runtime_error(
-            fmt::format("{} is a set of pens; give the pen another name", pens.front().name));
+        throw failure("{} is a set of pens; give the pen another name", pens.front().name);
     return {.set = PenSet::own, .own = std::move(pens)};
 }
 
@@ -195,8 +188,7 @@ PenChoice parse_pens(std::string_view text) {
         words.pop_back();
     }
     const auto take_width = [&](std::size_t place) {
-        if (words.size() > place + 1)
-            throw std::runtime_error(fmt::format("{} says more than a set of pens and their width", text));
+        if (words.size() > place + 1) throw failure("{} says more than a set of pens and their width", text);
         if (words.size() > place) {
             const TipSize size = tip_size(words[place]);
             choice.width_mm = size.width_mm;
@@ -215,16 +207,14 @@ PenChoice parse_pens(std::string_view text) {
         choice.set = PenSet::automatic;
         const std::optional<int> count = words.size() > 1 ? number_of<int>(words[1]) : choice.automatic;
         if (!count || *count < 1 || *count > int(kMostPens))
-            throw std::runtime_error(
-                fmt::format("{} is no number of pens; give 1 to {}, as in auto:4", words[1], kMostPens));
+            throw failure("{} is no number of pens; give 1 to {}, as in auto:4", words[1], kMostPens);
         choice.automatic = *count;
         if (text.find('#') != std::string_view::npos) {
             text.remove_prefix(text.find(':', text.find(':') + 1) + 1);
             choice.own = pens_in(parts_of(text, ',')).own;
             if (!chooses_from_own(choice))
-                throw std::runtime_error(
-                    fmt::format("{} pens leave auto:{} no choice; give it more to choose from",
-                                choice.own.size(), choice.automatic));
+                throw failure("{} pens leave auto:{} no choice; give it more to choose from",
+                              choice.own.size(), choice.automatic);
             return choice;
         }
         return take_width(2);

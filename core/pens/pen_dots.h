@@ -11,7 +11,6 @@
 // Layers made one by one would collide wherever two pens draw; screens at angles make moire.
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <span>
 #include <stop_token>

@@ -5,15 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <deque>
 #include <limits>
 #include <mutex>
 #include <numeric>
 #include <optional>
-#include <span>
 #include <utility>
-#include <vector>
 
 #include "core/routing/near_dots.h"
 #include "core/routing/tour.h"
@@ -444,9 +441,8 @@ void uncross(std::span<const float> x, std::span<const float> y, std::vector<std
         const std::optional<Move> move = BestMove(tour, link, least_gain).found();
         if (!move) continue;
         for (const std::uint32_t stop : make_move(tour, *move)) {
-            for (const std::uint32_t changed : tour.links_of(stop)) {
+            for (const std::uint32_t changed : tour.links_of(stop))
                 if (!std::exchange(waits[changed], char{1})) queue.push_back(changed);
-            }
         }
     }
     way = tour.tour().opened_at(tour.joint());
@@ -496,9 +492,8 @@ class Window {
             if (looks % 1024 == 0 && stop.stop_requested()) return;
             const std::uint32_t dot = queue_[next];
             waits_[dot] = 0;
-            while (carry_row_from(dot) || turn_part_at(dot) || chain_from(dot)) {
+            while (carry_row_from(dot) || turn_part_at(dot) || chain_from(dot))
                 if (++looks > kLooksPerDot * stops_) return;
-            }
             if (next > stops_) {
                 queue_.erase(queue_.begin(), queue_.begin() + static_cast<long>(next) + 1);
                 next = static_cast<std::size_t>(-1);
@@ -571,9 +566,8 @@ class Window {
     }
 
     bool is_in_row(std::uint32_t dot, std::uint32_t a, int length, bool forward) const {
-        for (std::uint32_t row = a; length > 0; --length, row = tour_.beside(row, forward)) {
+        for (std::uint32_t row = a; length > 0; --length, row = tour_.beside(row, forward))
             if (row == dot) return true;
-        }
         return false;
     }
 

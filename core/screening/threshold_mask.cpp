@@ -1,22 +1,19 @@
 #include "core/screening/threshold_mask.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <bitset>
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <stdexcept>
-#include <vector>
+
+#include "core/failure.h"
 
 namespace dapple {
 
 ThresholdMask tile_mask(RankedTile& tile, int side) {
     constexpr int kMostSide = 2048;
     if (side < 4 || side > kMostSide)
-        throw std::runtime_error(
-            fmt::format("{} pixels: the side of a mask from a tile is 4 to {}", side, kMostSide));
+        throw failure("{} pixels: the side of a mask from a tile is 4 to {}", side, kMostSide);
     const ThresholdSize size{side, side, 1};
     const Density grey(Grid<float>(1, 1, 1.0f));
     std::vector<float> critical(size.all());  // of each pixel's first dot
@@ -79,14 +76,13 @@ Parts covered_parts(int dx, int dy, double gain) {
 void check_threshold_size(const ThresholdSize& size) {
     const auto is_side = [](int side) { return side >= 4 && side <= kMostThresholdSide; };
     if (!is_side(size.width) || !is_side(size.height))
-        throw std::runtime_error(fmt::format("{} x {} pixels: a mask's sides are 4 to {}", size.width,
-                                             size.height, kMostThresholdSide));
+        throw failure("{} x {} pixels: a mask's sides are 4 to {}", size.width, size.height,
+                      kMostThresholdSide);
     if (size.slices < 1 || size.slices > kMostThresholdSlices)
-        throw std::runtime_error(
-            fmt::format("{} slices: a mask has 1 to {}", size.slices, kMostThresholdSlices));
+        throw failure("{} slices: a mask has 1 to {}", size.slices, kMostThresholdSlices);
     if (size.all() > kMostThresholdPixels)
-        throw std::runtime_error(fmt::format("{} x {} x {} pixels: a mask has at most {} in all", size.width,
-                                             size.height, size.slices, kMostThresholdPixels));
+        throw failure("{} x {} x {} pixels: a mask has at most {} in all", size.width, size.height,
+                      size.slices, kMostThresholdPixels);
 }
 
 ThresholdMask mask_by_order(const ThresholdSize& size, const std::vector<std::uint32_t>& order) {

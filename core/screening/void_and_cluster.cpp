@@ -1,16 +1,14 @@
 #include "core/screening/void_and_cluster.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
 #include <span>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
+#include "core/failure.h"
 #include "core/maths/portable_math.h"
 #include "core/tile/random.h"
 
@@ -199,9 +197,9 @@ ThresholdMask void_and_cluster(const ThresholdSize& size, const VoidAndClusterOp
                                const MaskProgress& progress) {
     check_threshold_size(size);
     if (!(options.sigma >= 0.5 && options.sigma <= 4))
-        throw std::runtime_error(fmt::format("sigma {:g}: it is 0.5 to 4 pixels", options.sigma));
+        throw failure("sigma {:g}: it is 0.5 to 4 pixels", options.sigma);
     if (!(options.slice_sigma >= 0.5 && options.slice_sigma <= 8))
-        throw std::runtime_error(fmt::format("sigma {:g} of slices: it is 0.5 to 8", options.slice_sigma));
+        throw failure("sigma {:g} of slices: it is 0.5 to 8", options.slice_sigma);
     const std::size_t all = size.all();
     Energies energies(size, options);
     const std::vector<std::size_t> first = first_pixels(energies, all, options.seed);

@@ -8,10 +8,8 @@
 #include <cassert>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 #include <system_error>
 #include <utility>
-#include <vector>
 
 #include "core/image/colour.h"
 #include "core/text/number_words.h"
@@ -331,11 +329,10 @@ void Fields::word(FieldName name, std::optional<std::size_t>& chosen, std::span<
         if (found.is_null() && empty == Empty::allowed) return;
         const auto at =
             std::ranges::find(names, found.is_string() ? found.get_ref<const std::string&>() : std::string());
-        if (at == names.end()) {
+        if (at == names.end())
             refuse_value(name, found,
                          fmt::format("one of {}{}", fmt::join(names, ", "),
                                      empty == Empty::allowed ? ", or null" : ""));
-        }
         chosen = static_cast<std::size_t>(at - names.begin());
     });
     if (notes_ && *name.row) (*notes_)[prefix_ + name.field].choices.assign(names.begin(), names.end());

@@ -54,6 +54,26 @@ struct Setting {
 
 namespace setting {
 
+// Of a dot, and of the page.
+constexpr Setting radius_row(SettingNames names, const char* help) {
+    return {.names = names,
+            .range = {kSmallestRadiusMm, kLargestRadiusMm},
+            .usual = 0.3,
+            .track = {0.02, 5, true},
+            .format = "%.3f",
+            .length = true,
+            .help = help};
+}
+constexpr Setting side_row(SettingNames names, const char* help) {
+    return {.names = names,
+            .range = {kShortestSideMm, kLongestSideMm},
+            .usual = 200,
+            .track = {20, 2000, true},
+            .format = "%.4g",
+            .length = true,
+            .help = help};
+}
+
 // Tone.
 inline constexpr Setting automatic_tone{
     .names = {"automatic_tone", "Automatic tone", "--tone"},
@@ -178,20 +198,10 @@ inline constexpr Setting radius{
     .more =
         ", on paper; 0.1..0.4: from the smallest, in light areas, to the largest, on black, and as many dots "
         "as the tone then needs. Without it, one radius for all dots that gives the picture's tone"};
-inline constexpr Setting smallest{.names = {"smallest_mm", "Smallest"},
-                                  .range = {kSmallestRadiusMm, kLargestRadiusMm},
-                                  .usual = 0.3,
-                                  .track = {0.02, 5, true},
-                                  .format = "%.3f",
-                                  .length = true,
-                                  .help = "The radius of the dots where the picture is lightest"};
-inline constexpr Setting largest{.names = {"largest_mm", "Largest"},
-                                 .range = {kSmallestRadiusMm, kLargestRadiusMm},
-                                 .usual = 0.3,
-                                 .track = {0.02, 5, true},
-                                 .format = "%.3f",
-                                 .length = true,
-                                 .help = "The radius of the dots where the picture is darkest"};
+inline constexpr Setting smallest =
+    radius_row({"smallest_mm", "Smallest"}, "The radius of the dots where the picture is lightest");
+inline constexpr Setting largest =
+    radius_row({"largest_mm", "Largest"}, "The radius of the dots where the picture is darkest");
 inline constexpr Setting contours{
     .names = {"contours", "Contours", "--contours"},
     .range = {0, 1},
@@ -202,8 +212,7 @@ inline constexpr Setting solid{
     .names = {"solid", "Solid black", "--solid"},
     .range = {0.5, 1},
     .usual = 1,
-    .help =
-        "Fills what is darker than that in place of dots: about 0.9 for what looks black, 1 for nothing"};
+    .help = "Fills what is darker than that in place of dots: about 0.9 for what looks black, 1 for nothing"};
 inline constexpr Setting style{.names = {"style", "Draw", "--style"}};
 inline constexpr Setting dot_shape{.names = {"dot_shape", "Dot shape", "--dot-shape"}};
 inline constexpr Setting pen_width{
@@ -224,24 +233,14 @@ inline constexpr Setting orientation{.names = {"orientation", "Orientation", "--
                                      .help =
                                          "Whether the page is portrait or landscape; auto: as the picture "
                                          "is, or as a size of your own is given"};
-inline constexpr Setting width{.names = {"width_mm", "Width", "--width"},
-                               .range = {kShortestSideMm, kLongestSideMm},
-                               .usual = 200,
-                               .track = {20, 2000, true},
-                               .format = "%.4g",
-                               .length = true,
-                               .help =
-                                   "Width of the page, margins and all; its height follows from the "
-                                   "picture's shape, unless it is given too"};
-inline constexpr Setting height{.names = {"height_mm", "Height", "--height"},
-                                .range = {kShortestSideMm, kLongestSideMm},
-                                .usual = 200,
-                                .track = {20, 2000, true},
-                                .format = "%.4g",
-                                .length = true,
-                                .help =
-                                    "Height of the page, margins and all; its width follows from the "
-                                    "picture's shape, unless it is given too"};
+inline constexpr Setting width =
+    side_row({"width_mm", "Width", "--width"},
+             "Width of the page, margins and all; its height follows from the picture's shape, unless it is "
+             "given too");
+inline constexpr Setting height =
+    side_row({"height_mm", "Height", "--height"},
+             "Height of the page, margins and all; its width follows from the picture's shape, unless it is "
+             "given too");
 inline constexpr Setting margin{.names = {"margins_mm", "Margin", "--margin"},
                                 .range = {0, kLongestSideMm},
                                 .track = {0, 100},

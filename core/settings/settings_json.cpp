@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 
+#include "core/failure.h"
 #include "core/settings/drawing_fields.h"
 #include "core/settings/settings_text.h"
 
@@ -28,8 +28,7 @@ void check_known(const Json& given, const Json& known, const std::string& within
     for (const auto& [name, value] : given.items()) {
         const auto found = known.find(name);
         if (found == known.end())
-            throw std::runtime_error(
-                fmt::format("settings: {}{} is not known; the usual settings list all fields", within, name));
+            throw failure("settings: {}{} is not known; the usual settings list all fields", within, name);
         if (value.is_object() && found->is_object()) check_known(value, *found, within + name + ".");
     }
 }
@@ -65,8 +64,7 @@ void read_json(std::string_view json, Settings& settings) {
                 check_known(given[group], known[group], std::string(group) + ".");
         for (const auto& [name, value] : given.items())
             if (name != kVersionField && name != "picture" && name != "view" && !known.contains(name))
-                throw std::runtime_error(
-                    fmt::format("settings: {} is not known; fields are in \"drawing\" and \"saving\"", name));
+                throw failure("settings: {} is not known; fields are in \"drawing\" and \"saving\"", name);
     }
     Settings changed = settings;
     read_settings(given.is_object() ? given.dump() : std::string(json), kPlace, all_fields(changed));

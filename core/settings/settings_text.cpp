@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "core/failure.h"
 #include "core/text/shown_text.h"
 
 namespace dapple {
@@ -25,7 +26,7 @@ struct TooDeep {};
 struct TooMany {};
 
 [[noreturn]] void fail_to_read(const SettingsPlace& place, const std::string& what) {
-    throw std::runtime_error(fmt::format("{}: {}", printable(place.file.native()), what));
+    throw failure("{}: {}", printable(place.file.native()), what);
 }
 
 Json parsed_settings(const std::string& text, const SettingsPlace& place) {

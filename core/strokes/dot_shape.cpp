@@ -1,9 +1,6 @@
 #include "core/strokes/dot_shape.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
@@ -12,6 +9,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "core/failure.h"
 #include "core/maths/portable_math.h"
 #include "core/text/number_words.h"
 
@@ -90,11 +88,9 @@ class PathText {
         skip();
         const std::size_t end = std::min(rest_.find_first_not_of("+-.0123456789eE"), rest_.size());
         const std::optional<double> value = number_of<double>(rest_.substr(0, end));
-        if (!value || !std::isfinite(*value)) {
-            throw std::runtime_error(
-                fmt::format("after {} there has to be a number in place of '{}'", command,
-                            rest_.empty() ? "the end" : rest_.substr(0, std::max<std::size_t>(end, 1))));
-        }
+        if (!value || !std::isfinite(*value))
+            throw failure("after {} there has to be a number in place of '{}'", command,
+                          rest_.empty() ? "the end" : rest_.substr(0, std::max<std::size_t>(end, 1)));
         rest_.remove_prefix(end);
         return *value;
     }
@@ -154,11 +150,9 @@ class PathReader {
         while (!text_.at_end()) {
             char command = text_.letter();
             if (std::string_view("MLHVCQAZ").find(command) == std::string_view::npos) {
-                throw std::runtime_error(fmt::format(
-                    "'{}' is not known; there are M, L, H, V, C, Q, A and Z, in capitals", command));
+                throw failure("'{}' is not known; there are M, L, H, V, C, Q, A and Z, in capitals", command);
             }
-            if (!began_ && command != 'M')
-                throw std::runtime_error(fmt::format("begins with {}; a path begins with M", command));
+            if (!began_ && command != 'M') throw failure("begins with {}; a path begins with M", command);
             do {
                 take(command);
                 if (command == 'M') command = 'L';  // what follows are lines
@@ -168,8 +162,7 @@ class PathReader {
         if (strokes_.ends.empty()) throw std::runtime_error("is empty");
         for (const glm::dvec2 p : strokes_.points) {
             if (!inside_box(p)) {
-                throw std::runtime_error(
-                    fmt::format("reaches to {:.4g},{:.4g}; its box is from 0,0 to 1,1", p.x, p.y));
+                throw failure("reaches to {:.4g},{:.4g}; its box is from 0,0 to 1,1", p.x, p.y);
             }
         }
         return std::move(strokes_);
@@ -234,8 +227,7 @@ class PathReader {
 
     bool flag() {
         const double value = text_.number('A');
-        if (value != 0 && value != 1)
-            throw std::runtime_error(fmt::format("A: {:g} is given for a flag, which is 0 or 1", value));
+        if (value != 0 && value != 1) throw failure("A: {:g} is given for a flag, which is 0 or 1", value);
         return value == 1;
     }
 
@@ -245,8 +237,7 @@ class PathReader {
         const bool large = flag(), clockwise = flag();
         const glm::dvec2 end = text_.point('A');
         if (std::min(radii.x, radii.y) < kSmallestArc || std::max(radii.x, radii.y) > kLargestArc)
-            throw std::runtime_error(
-                fmt::format("A: the two radii have to be from {:g} to {:g}", kSmallestArc, kLargestArc));
+            throw failure("A: the two radii have to be from {:g} to {:g}", kSmallestArc, kLargestArc);
         if (glm::distance(at_, end) < kSmallestArc) return line_to(end);
         const Arc arc = arc_between(at_, end, radii, turned, large, clockwise);
         curve(end, [&](glm::dvec2, double t) { return arc.at(t); });
@@ -308,10 +299,10 @@ DotMark parse_dot_mark(std::string_view text) {
     const std::optional<DotShape> shape = value_named<DotShape>(text);
     if (shape && *shape != DotShape::path) return {*shape, {}};
     if (!text.starts_with('M')) {
-        throw std::runtime_error(fmt::format(
+        throw failure(
             "'{}' is not known; there are circle, point, stroke, spiral, hatch, ring, cross, or a "
             "path in a box from 0,0 to 1,1, as in 'M0,0 L1,1'",
-            text));
+            text);
     }
     static_cast<void>(parse_dot_path(text));
     return {DotShape::path, std::string(text)};
@@ -328,12 +319,10 @@ std::string text_of(const DotMark& mark) {
 
 Strokes parse_dot_path(std::string_view d) {
     try {
-        if (d.size() > kLongestPath)
-            throw std::runtime_error(fmt::format("is longer than {} letters", kLongestPath));
+        if (d.size() > kLongestPath) throw failure("is longer than {} letters", kLongestPath);
         return PathReader(d).read();
     } catch (const std::runtime_error& error) {
-        throw std::runtime_error(
-            fmt::format("the path '{}'{}: {}", d.substr(0, 60), d.size() > 60 ? "..." : "", error.what()));
+        throw failure("the path '{}'{}: {}", d.substr(0, 60), d.size() > 60 ? "..." : "", error.what());
     }
 }
 

@@ -2,7 +2,6 @@
 // A dot as a pen draws it, instead of as a filled circle.
 
 #include <glm/vec2.hpp>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>

@@ -1,8 +1,6 @@
 #pragma once
 // How a drawing's dots come onto the paper: each by itself, or lines from dot to dot.
 
-#include <string_view>
-
 #include "core/placing/dots.h"
 #include "core/placing/page.h"
 #include "core/strokes/strokes.h"

@@ -1,6 +1,5 @@
 #include "core/strokes/strokes.h"
 
-#include <algorithm>
 #include <cctype>
 #include <glm/common.hpp>
 #include <optional>

@@ -13,7 +13,6 @@
 #include <concepts>
 #include <cstddef>
 #include <optional>
-#include <span>
 #include <string_view>
 
 namespace dapple {
@@ -32,14 +31,6 @@ concept Named = requires(Value value) {
 template <Named Value>
 constexpr std::string_view name_of(Value value) {
     return names_of(value)[static_cast<std::size_t>(value)];
-}
-
-/// All values in their order.
-template <Named Value>
-constexpr auto values_of() {
-    std::array<Value, names_of(Value()).size()> values{};
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<Value>(i);
-    return values;
 }
 
 template <Named Value>

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <utility>
 
 namespace dapple {
@@ -47,9 +46,8 @@ bool far_from_tone(double ratio) {
 
 std::string in_round_words(double number) {
     if (number < 999'999.5) return grouped(static_cast<std::uint64_t>(std::llround(number)));
-    for (const auto& [unit, name] : {std::pair{1e6, "million"}, {1e9, "billion"}, {1e12, "trillion"}}) {
+    for (const auto& [unit, name] : {std::pair{1e6, "million"}, {1e9, "billion"}, {1e12, "trillion"}})
         if (number < 999.5 * unit) return fmt::format("{:#.3g} {}", number / unit, name);
-    }
     const int digits = static_cast<int>(std::floor(std::log10(number)));
     return fmt::format("{:.1f} x 10^{}", number / std::pow(10.0, digits), digits);
 }

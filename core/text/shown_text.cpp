@@ -4,36 +4,11 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <system_error>
-#include <utility>
 
 namespace dapple {
 namespace {
-
-struct Character {
-    std::uint32_t code = 0;
-    std::size_t bytes = 0;  // 0: not UTF-8
-};
-
-// The first character. Longer forms than needed, halves of pairs and what is beyond Unicode are not UTF-8.
-Character first_of(std::string_view text) {
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-    if (byte(0) < 0x80) return {byte(0), 1};
-    const std::size_t bytes = byte(0) >= 0xf0 ? 4 : byte(0) >= 0xe0 ? 3 : 2;
-    if (byte(0) < 0xc2 || byte(0) > 0xf4 || text.size() < bytes) return {};
-    std::uint32_t code = byte(0) & (0x7fu >> bytes);
-    for (std::size_t i = 1; i < bytes; ++i) {
-        if ((byte(i) & 0xc0) != 0x80) return {};
-        code = code << 6 | (byte(i) & 0x3fu);
-    }
-    const std::uint32_t least = bytes == 4 ? 0x10000 : bytes == 3 ? 0x800 : 0x80;
-    if (code < least || code > 0x10ffff || (code >= 0xd800 && code < 0xe000)) return {};
-    return {code, bytes};
-}
 
 bool is_safe(std::uint32_t code) {
     if (code < 0x20 || (code >= 0x7f && code < 0xa0)) return false;
@@ -61,20 +36,34 @@ std::optional<unsigned char> written_byte(std::string_view text) {
 
 }  // namespace
 
+Character first_character(std::string_view text) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    if (byte(0) < 0x80) return {byte(0), 1};
+    const std::size_t bytes = byte(0) >= 0xf0 ? 4 : byte(0) >= 0xe0 ? 3 : 2;
+    if (byte(0) < 0xc2 || byte(0) > 0xf4 || text.size() < bytes) return {};
+    std::uint32_t code = byte(0) & (0x7fu >> bytes);
+    for (std::size_t i = 1; i < bytes; ++i) {
+        if ((byte(i) & 0xc0) != 0x80) return {};
+        code = code << 6 | (byte(i) & 0x3fu);
+    }
+    const std::uint32_t least = bytes == 4 ? 0x10000 : bytes == 3 ? 0x800 : 0x80;
+    if (code < least || code > 0x10ffff || (code >= 0xd800 && code < 0xe000)) return {};
+    return {code, bytes};
+}
+
 std::string printable(std::string_view text) {
     std::string result;
     while (!text.empty()) {
-        const Character character = first_of(text);
+        const Character character = first_character(text);
         if (character.bytes == 0) {
             result += written_out(static_cast<unsigned char>(text.front()));
             text.remove_prefix(1);
             continue;
         }
-        if (is_safe(character.code)) {
+        if (is_safe(character.code))
             result += text.substr(0, character.bytes);
-        } else {
+        else
             result += written_out(character.code);
-        }
         text.remove_prefix(character.bytes);
     }
     return result;
@@ -109,7 +98,7 @@ std::string shortened(std::string_view text) {
 std::string editable(std::string_view bytes) {
     std::string result;
     while (!bytes.empty()) {
-        const auto [code, length] = first_of(bytes);
+        const auto [code, length] = first_character(bytes);
         const std::string_view one = bytes.substr(0, std::max<std::size_t>(length, 1));
         const bool held = length > 0 && code >= 0x20 && code != 0x7f && code <= 0xffff;
         if (held && !written_byte(bytes))
@@ -133,7 +122,7 @@ std::string bytes_of(std::string_view edited) {
 
 bool is_utf8(std::string_view text) {
     while (!text.empty()) {
-        const std::size_t bytes = first_of(text).bytes;
+        const std::size_t bytes = first_character(text).bytes;
         if (bytes == 0) return false;
         text.remove_prefix(bytes);
     }

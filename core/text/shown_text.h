@@ -1,12 +1,23 @@
 #pragma once
 // How names are shown to people; numbers are shown by core/text/number_words.h.
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
 #include "core/text/number_words.h"
 
 namespace dapple {
+
+struct Character {
+    std::uint32_t code = 0;
+    std::size_t bytes = 0;  // 0: not UTF-8
+};
+
+/// The first of a text that is not empty. Longer forms than needed, halves of pairs and what is beyond
+/// Unicode are not UTF-8.
+Character first_character(std::string_view text);
 
 /// Text that others wrote, such as the name of a file, made safe: on one line, in UTF-8: control characters,
 /// what turns the direction of writing or ends lines, and bytes that are no UTF-8 are written out as \n, \t,

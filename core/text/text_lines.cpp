@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdint>
 #include <cstring>
 #include <stdexcept>
 
+#include "core/failure.h"
 #include "core/text/number_words.h"
 
 namespace dapple {
@@ -113,7 +112,7 @@ int TextLines::whole_number(std::string_view text, std::string_view name, int le
 }
 
 void TextLines::fail(std::string_view reason) const {
-    throw std::runtime_error(fmt::format("{}line {}: {}", subject_, number_, reason));
+    throw failure("{}line {}: {}", subject_, number_, reason);
 }
 
 }  // namespace dapple

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <stdexcept>
-#include <utility>
 
 #include "core/maths/portable_math.h"
 
@@ -147,9 +146,8 @@ std::vector<int> farthest_order(const std::vector<glm::dvec2>& placed, std::vect
 }
 
 // Void and cluster (Ulichney 1993) on a given set of candidates: the Gaussian narrows as the points get
-// denser. All kinds go on together, point by point; `placed` and `positions` are theirs, kind after kind,
-// and equally many of each.
-// Candidates of a lower stage come first, if stages are given.
+// denser. All kinds go on together, point by point; `placed` and `positions` are theirs, kind after kind, and
+// equally many of each. Candidates of a lower stage come first, if stages are given.
 std::vector<int> energy_order(const std::vector<glm::dvec2>& placed, const std::vector<glm::dvec2>& positions,
                               const std::vector<std::vector<Neighbour>>& copies,
                               std::span<const int> stage = {}) {
@@ -307,11 +305,10 @@ Ranking rank(const Tile& tile, RankingMethod method) {
                 ranks_of_stages(tile.size(), stages_of_ranks(tile.size(), newborn))};
     }
     Ranking ranking{half_way(farthest_point_ranks(tile), 0), {}};
-    if (method == RankingMethod::farthest) {
+    if (method == RankingMethod::farthest)
         ranking.newborn = half_way(farthest_order(own, born, legal_neighbours(tile.rule)), count);
-    } else {
+    else
         ranking.newborn = paper_newborn_ranks(tile, ranking.tile);
-    }
     return ranking;
 }
 

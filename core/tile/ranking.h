@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <span>
-#include <string_view>
 #include <utility>
 #include <vector>
 

@@ -2,15 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <limits>
-#include <map>
 #include <numeric>
-#include <optional>
 #include <set>
 #include <stdexcept>
 
+#include "core/failure.h"
 #include "core/text/number_words.h"
 
 namespace dapple {
@@ -46,9 +42,8 @@ void for_each_entry(std::size_t kinds, Visit visit) {
     for (std::size_t of = 0; of < kinds; ++of) {
         for (int ox = -1; ox <= 1; ++ox) {
             for (int oy = -1; oy <= 1; ++oy) {
-                for (std::size_t kind = 0; kind < kinds; ++kind) {
+                for (std::size_t kind = 0; kind < kinds; ++kind)
                     for (const Orientation g : all_orientations()) visit(of, glm::ivec2(ox, oy), kind, g);
-                }
             }
         }
     }
@@ -230,16 +225,13 @@ ParsedWord parse_word(std::string_view word) {
     if (parsed.letters.empty())
         throw std::runtime_error("a tile's word is empty; write its letters 0, 1, 2, 3");
     const auto wrong = parsed.letters.find_first_not_of("0123");
-    if (wrong != std::string::npos) {
-        throw std::runtime_error(
-            fmt::format("'{}' in a tile's word is not a quadrant 0, 1, 2 or 3", parsed.letters[wrong]));
-    }
+    if (wrong != std::string::npos)
+        throw failure("'{}' in a tile's word is not a quadrant 0, 1, 2 or 3", parsed.letters[wrong]);
     if (mark == word.size()) return parsed;
     parsed.end = number_of<std::uint32_t>(word.substr(mark + 1));
     if (!parsed.end) {
-        throw std::runtime_error(
-            fmt::format("'{}' at the end of a tile's word leads nowhere; write > and a point's number",
-                        word.substr(mark)));
+        throw failure("'{}' at the end of a tile's word leads nowhere; write > and a point's number",
+                      word.substr(mark));
     }
     return parsed;
 }
@@ -270,8 +262,8 @@ Key key_of(BinaryPoint p) {
 
 void check_size(std::size_t points) {
     if (points == 0 || points % 4 != 0 || points > kMaxTilePoints) {
-        throw std::runtime_error(fmt::format(
-            "a tile of {} points cannot be made; use a multiple of 4 up to {}", points, kMaxTilePoints));
+        throw failure("a tile of {} points cannot be made; use a multiple of 4 up to {}", points,
+                      kMaxTilePoints);
     }
 }
 
@@ -300,11 +292,10 @@ void locate_all(Tile& tile, std::string_view letters) {
         if (i % size == 0) seen.clear();
         tile.points.push_back(locate(tile, letters, i));
         if (seen.insert(key_of(tile.points.back())).second) continue;
-        throw std::runtime_error(
-            fmt::format("two points of the tile coincide; {} ({} points)",
-                        tile.words.empty() ? "no two of a kind may be followed by the same letters on and on"
-                                           : "a word must not repeat itself or be given twice",
-                        size));
+        throw failure("two points of the tile coincide; {} ({} points)",
+                      tile.words.empty() ? "no two of a kind may be followed by the same letters on and on"
+                                         : "a word must not repeat itself or be given twice",
+                      size);
     }
 }
 
@@ -322,12 +313,10 @@ Tile make_tile(const Rule& rule, std::vector<std::string> words) {
     }
     const std::size_t count = letters.size();
     check_size(count);
-    for (const std::uint32_t next : tile.successor) {
-        if (next >= count) {
-            throw std::runtime_error(fmt::format(
-                "a tile's word leads to point {}, but the points' numbers end at {}", next, count - 1));
-        }
-    }
+    for (const std::uint32_t next : tile.successor)
+        if (next >= count)
+            throw failure("a tile's word leads to point {}, but the points' numbers end at {}", next,
+                          count - 1);
 
     locate_all(tile, letters);
     return tile;
@@ -337,24 +326,21 @@ Tile make_tile(const Rule& rule, NextKinds next_kind, std::span<const char> lett
                std::vector<std::uint32_t> successor) {
     const std::size_t kinds = next_kind.size(), count = letters.size();
     if (kinds == 0 || kinds > kMaxKinds) {
-        throw std::runtime_error(
-            fmt::format("a tile of {} kinds cannot be made; use up to {}", kinds, kMaxKinds));
+        throw failure("a tile of {} kinds cannot be made; use up to {}", kinds, kMaxKinds);
     }
     if (count % kinds != 0 || successor.size() != count)
-        throw std::runtime_error(fmt::format("{} points cannot be shared out to {} kinds", count, kinds));
+        throw failure("{} points cannot be shared out to {} kinds", count, kinds);
     check_size(count / kinds);
     for (const auto& children : next_kind) {
-        for (const std::size_t child : children) {
+        for (const std::size_t child : children)
             if (child >= kinds)
-                throw std::runtime_error(
-                    fmt::format("a child is of kind {}, but the kinds end at {}", child, kinds - 1));
-        }
+                throw failure("a child is of kind {}, but the kinds end at {}", child, kinds - 1);
     }
     const std::size_t size = count / kinds;
     for (std::size_t i = 0; i < count; ++i) {
         const std::size_t child = next_kind[i / size][static_cast<std::size_t>(letters[i] - '0')];
         if (successor[i] / size != child)
-            throw std::runtime_error(fmt::format("the successor of point {} is not of kind {}", i, child));
+            throw failure("the successor of point {} is not of kind {}", i, child);
     }
     if (kinds == 1) return make_tile(rule, words_along(letters, successor));
 
@@ -377,18 +363,17 @@ int count_letters(std::string_view word) {
 
 Tile make_tile(std::uint64_t a, std::uint64_t b, int count) {
     if (count < 4 || count > 62 || count % 4 != 0) {
-        throw std::runtime_error(fmt::format(
-            "two integers cannot give a tile of {} points; use a multiple of 4 from 4 to 60", count));
+        throw failure("two integers cannot give a tile of {} points; use a multiple of 4 from 4 to 60",
+                      count);
     }
     const std::uint64_t limit = (std::uint64_t{1} << count) - 1;
     if (a >= limit || b >= limit) {
-        throw std::runtime_error(fmt::format(
-            "the tile {},{}/{} is out of range; both integers must be below {}", a, b, count, limit));
+        throw failure("the tile {},{}/{} is out of range; both integers must be below {}", a, b, count,
+                      limit);
     }
     std::string word;
-    for (int bit = count - 1; bit >= 0; --bit) {
+    for (int bit = count - 1; bit >= 0; --bit)
         word += static_cast<char>('0' + (a >> bit & 1) + 2 * (b >> bit & 1));
-    }
     return make_tile(Rule{}, {word});
 }
 
@@ -451,25 +436,6 @@ std::vector<std::string> words_along(std::span<const char> letters,
     return words;
 }
 
-std::vector<std::string> words_of(const std::vector<BinaryPoint>& points, const Rule& rule) {
-    std::map<Key, std::uint32_t> index;
-    for (const BinaryPoint p : points) index[key_of(p)] = 0;
-    std::uint32_t count = 0;
-    for (auto& entry : index) entry.second = count++;
-
-    std::string letters(count, '0');
-    std::vector<std::uint32_t> successor(count);
-    for (const BinaryPoint p : points) {
-        const std::uint32_t i = index[key_of(p)];
-        const int q = quadrant_of(p);
-        letters[i] = static_cast<char>('0' + q);
-        const auto found = index.find(key_of(apply(inverse(rule.child[q]), enlarge_quadrant(p))));
-        if (found == index.end()) throw std::runtime_error("the points are not self-similar under the rule");
-        successor[i] = found->second;
-    }
-    return words_along(letters, successor);
-}
-
 TileIntegers integers_of(std::string_view word) {
     assert(!word.empty() && word.size() <= kMaxIdentityWord);
     TileIntegers integers;
@@ -484,8 +450,7 @@ TileIntegers integers_of(std::string_view word) {
 Tile parse_tile_integers(std::string_view text) {
     const auto numbers = numbers_of<std::uint64_t, 3>(text, ",/");
     if (!numbers) {
-        throw std::runtime_error(
-            fmt::format("'{}' is not a tile; write A,B/N, for example 14217,2895/16", text));
+        throw failure("'{}' is not a tile; write A,B/N, for example 14217,2895/16", text);
     }
     const auto [a, b, size] = *numbers;
     return make_tile(a, b, static_cast<int>(std::min<std::uint64_t>(size, 1000)));
@@ -528,9 +493,8 @@ std::optional<std::string> paper_notation(const Tile& tile) {
 }
 
 std::string headline(const Tile& tile) {
-    if (tile.kinds() > 1) {
+    if (tile.kinds() > 1)
         return fmt::format("{} kinds of {} points, rule {}", tile.kinds(), tile.size(), text_of(tile.rule));
-    }
     std::string text = fmt::format("{} points, rule {}, {} word{}", tile.size(), text_of(tile.rule),
                                    tile.words.size(), tile.words.size() == 1 ? "" : "s");
     if (const auto integers = paper_notation(tile))

@@ -138,13 +138,8 @@ int count_letters(std::string_view word);
 /// as above.
 Tile make_tile(std::uint64_t a, std::uint64_t b, int count);
 
-/// The words of a set of points that is self-similar under a rule: the way back, the same words whatever the
-/// points' order. Cycles come first, each the smallest of its rotations and in ascending order. Throws
-/// std::runtime_error if the set is not self-similar.
-std::vector<std::string> words_of(const std::vector<BinaryPoint>& points, const Rule& rule);
-
-/// The words of points given by their letters '0'..'3' and successors: cycles as above, then tails in the
-/// order of the points without predecessor.
+/// The words of points given by their letters '0'..'3' and successors: cycles first, each the smallest of
+/// its rotations and in ascending order, then tails in the order of the points without predecessor.
 std::vector<std::string> words_along(std::span<const char> letters, std::span<const std::uint32_t> successor);
 
 /// Letters of the longest word for which a tile's distances can be compared as whole numbers of 128 bits.

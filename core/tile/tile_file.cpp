@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <vector>
 
 #include "core/text/text_lines.h"
 #include "core/text/xml_text.h"
@@ -109,10 +108,9 @@ std::string_view read_version(TextLines& lines) {
     if (!line.starts_with(kFirstWords))
         lines.fail(fmt::format("it does not start with '{}{}'", kFirstWords, kVersion));
     const std::string_view version = line.substr(kFirstWords.size());
-    if (version != kVersion && version != kVersionOfKinds) {
+    if (version != kVersion && version != kVersionOfKinds)
         lines.fail(fmt::format("the version '{}' is not known here, only {} and {}", version, kVersion,
                                kVersionOfKinds));
-    }
     return version;
 }
 
@@ -170,10 +168,9 @@ std::vector<float> read_ranks(TextLines& lines, std::size_t count, float first) 
         const std::string_view line = lines.next_content();
         for (const std::string_view word : split(line)) {
             if (ranks.size() == count) lines.fail(fmt::format("there are more than {} ranks", count));
-            if (word.find_first_not_of("0123456789") != std::string_view::npos) {
+            if (word.find_first_not_of("0123456789") != std::string_view::npos)
                 lines.fail(fmt::format("'{}' is not a rank, of which {} are expected, {} so far", word, count,
                                        ranks.size()));
-            }
             const int rank = lines.whole_number(word, "a rank", 0, last);
             if (taken[rank]) lines.fail(fmt::format("the rank {} comes twice", rank));
             taken[rank] = true;
@@ -188,10 +185,9 @@ std::string packed(std::span<const int> numbers, int bits) {
     std::string bytes((numbers.size() * static_cast<std::size_t>(bits) + 7) / 8, '\0');
     std::size_t at = 0;
     for (const int number : numbers) {
-        for (int bit = bits - 1; bit >= 0; --bit, ++at) {
+        for (int bit = bits - 1; bit >= 0; --bit, ++at)
             if (number >> bit & 1)
                 bytes[at / 8] = static_cast<char>(static_cast<unsigned char>(bytes[at / 8]) | 0x80 >> at % 8);
-        }
     }
     return base64_of(bytes);
 }
@@ -206,10 +202,9 @@ std::vector<int> read_packed(TextLines& lines, std::size_t count, int bits) {
         }
     }();
     const std::size_t expected = (count * static_cast<std::size_t>(bits) + 7) / 8;
-    if (bytes.size() != expected) {
+    if (bytes.size() != expected)
         lines.fail(fmt::format("there are {} bytes, but {} numbers of {} bits have {}", bytes.size(), count,
                                bits, expected));
-    }
     std::vector<int> numbers(count, 0);
     for (std::size_t at = 0; at < count * static_cast<std::size_t>(bits); ++at) {
         int& number = numbers[at / static_cast<std::size_t>(bits)];
@@ -245,10 +240,9 @@ Tile read_successors(TextLines& lines, const Rule& rule, const NextKinds& next, 
                 successor.push_back(static_cast<std::uint32_t>(next[k][q] * points + i));
             }
         }
-        if (letters.size() != (k + 1) * points) {
+        if (letters.size() != (k + 1) * points)
             lines.fail(fmt::format("kind {} has {} points, but there are {} of each", k,
                                    letters.size() - std::min(letters.size(), k * points), points));
-        }
     }
     return on_line(lines, [&] { return make_tile(rule, next, letters, std::move(successor)); });
 }

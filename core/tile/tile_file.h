@@ -68,8 +68,7 @@ DAPPLE_API StoredTile ranked(Tile tile, RankingMethod method);
 DAPPLE_API std::string write_tile(const StoredTile& tile, std::span<const std::string> comments = {});
 
 /// What write_tile() wrote: the same points and ranks to the bit, if those of several kinds are ones of
-/// ranks_of_stages(). Throws std::runtime_error, "line 7: ...",
-/// if the text is anything else.
+/// ranks_of_stages(). Throws std::runtime_error, "line 7: ...", if the text is anything else.
 DAPPLE_API StoredTile read_tile(std::string_view text);
 
 /// A tile that is not ranked yet: the four digits of the rule on the first line, words on the others, blank

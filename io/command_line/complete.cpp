@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "io/files/tile_library.h"
 #include "io/settings/palettes.h"
 #include "io/settings/presets.h"
 
@@ -50,10 +49,9 @@ std::vector<Completion> values_of(const CLI::Option& option, const std::string& 
         return values;
     }
     std::istringstream parts(type);
-    for (std::string part; std::getline(parts, part, '|');) {
+    for (std::string part; std::getline(parts, part, '|');)
         if (part.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789") == part.npos)
             values.push_back({part, ""});
-    }
     return values;
 }
 
@@ -69,9 +67,8 @@ std::vector<Completion> options_of(const CLI::App& command) {
 
 std::vector<Completion> commands_and_positionals_of(const CLI::App& app, const std::string& begun) {
     std::vector<Completion> words;
-    for (const CLI::App* command : app.get_subcommands({})) {
+    for (const CLI::App* command : app.get_subcommands({}))
         if (!is_hidden(*command)) words.push_back({command->get_name(), command->get_description()});
-    }
     for (const CLI::Option* option : app.get_options()) {
         if (!option->get_positional()) continue;
         for (Completion& value : values_of(*option, begun)) words.push_back(std::move(value));
@@ -92,9 +89,8 @@ std::vector<Completion> completions(const CLI::App& program, const std::vector<s
             waiting = command->get_option_no_throw(words[i]);
             if (waiting && waiting->get_items_expected_max() == 0) waiting = nullptr;
         } else {
-            for (const CLI::App* next : command->get_subcommands({})) {
+            for (const CLI::App* next : command->get_subcommands({}))
                 if (next->check_name(words[i])) command = next;
-            }
         }
     }
     std::vector<Completion> found = waiting ? values_of(*waiting, words.back())

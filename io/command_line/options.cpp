@@ -1,22 +1,19 @@
 #include "io/command_line/options.h"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <functional>
-#include <initializer_list>
 #include <stdexcept>
 #include <vector>
 
+#include "core/failure.h"
 #include "core/image/auto_tone.h"
 #include "core/image/detail.h"
 #include "core/relaxing/relax.h"
 #include "core/text/length.h"
 #include "core/text/number_words.h"
-#include "core/text/shown_text.h"
 #include "io/settings/palettes.h"
 
 namespace dapple {
@@ -24,14 +21,9 @@ namespace {
 
 double in_range(const std::string& text, std::optional<double> value, const NumberRange& range,
                 const char* kind) {
-    if (!value || !std::isfinite(*value)) throw std::runtime_error(fmt::format("{} is not {}", text, kind));
-    if (!range.holds(*value))
-        throw std::runtime_error(fmt::format("{} is not possible; give {}", text, range.in_words(kind)));
+    if (!value || !std::isfinite(*value)) throw failure("{} is not {}", text, kind);
+    if (!range.holds(*value)) throw failure("{} is not possible; give {}", text, range.in_words(kind));
     return *value;
-}
-
-double number_in(const std::string& text, const NumberRange& range) {
-    return in_range(text, number_of<double>(text), range, "a number");
 }
 
 // In millimetres.
@@ -128,24 +120,8 @@ CLI::Option* add_text(CLI::App& app, const std::string& name, const std::string&
     return app.add_option_function<std::string>(name, take, help)->type_name(unit);
 }
 
-CLI::Option* add_number(CLI::App& app, const std::string& name, double& target, const NumberRange& range,
-                        const std::string& unit, const std::string& help) {
-    const auto read = [=, &target](const std::string& text) { target = number_in(text, range); };
-    return add_text(app, name, unit, read, help)->default_str(fmt::format("{:g}", target));
-}
-
-CLI::Option* add_number(CLI::App& app, const std::string& name, float& target, const NumberRange& range,
-                        const std::string& unit, const std::string& help) {
-    const auto read = [=, &target](const std::string& text) {
-        target = static_cast<float>(number_in(text, range));
-    };
-    return add_text(app, name, unit, read, help)->default_str(fmt::format("{:g}", target));
-}
-
-CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<double>& target,
-                        const NumberRange& range, const std::string& unit, const std::string& help) {
-    const auto read = [=, &target](const std::string& text) { target = number_in(text, range); };
-    return add_text(app, name, unit, read, help);
+double number_in(const std::string& text, const NumberRange& range) {
+    return in_range(text, number_of<double>(text), range, "a number");
 }
 
 CLI::Option* add_length(CLI::App& app, const std::string& name, double& target, const NumberRange& range,
@@ -174,8 +150,7 @@ CLI::Option* add_words(CLI::App& app, const std::string& name, std::span<const c
     const auto take = [=](const std::string& text) {
         const auto found = std::ranges::find(known, text);
         if (found == known.end())
-            throw std::runtime_error(
-                fmt::format("{} is not known; there are {}", text, fmt::join(known, ", ")));
+            throw failure("{} is not known; there are {}", text, fmt::join(known, ", "));
         read(static_cast<std::size_t>(found - known.begin()));
     };
     return add_text(app, name, fmt::format("{}", fmt::join(known, "|")), take, help);
@@ -211,8 +186,8 @@ CLI::Option* add_seed(CLI::App& app, std::uint64_t& seed, const std::string& hel
     const auto read = [&seed](const std::string& text) {
         const auto number = number_of<std::uint64_t>(text);
         if (!number)
-            throw std::runtime_error(fmt::format("{} is not possible; give a whole number from 0 to {}", text,
-                                                 std::numeric_limits<std::uint64_t>::max()));
+            throw failure("{} is not possible; give a whole number from 0 to {}", text,
+                          std::numeric_limits<std::uint64_t>::max());
         seed = *number;
     };
     return add_text(app, "--seed", "N", read, help)->default_str(fmt::format("{}", seed));
@@ -221,16 +196,14 @@ CLI::Option* add_seed(CLI::App& app, std::uint64_t& seed, const std::string& hel
 std::uint64_t count_in(const std::string& text, std::uint64_t most) {
     const std::optional<std::uint64_t> count = count_of(text);
     if (!count || *count < 1 || *count > most)
-        throw std::runtime_error(
-            fmt::format("{} is not possible; give a whole number from 1 to {}", text, grouped(most)));
+        throw failure("{} is not possible; give a whole number from 1 to {}", text, grouped(most));
     return *count;
 }
 
 CLI::Option* add_ranking(CLI::App& app, std::optional<RankingMethod>& ranking) {
-    return add_choice(
-        app, "--ranking", ranking,
-        "Order in which a tile's dots appear: paper, farthest or energy; without it, the one kept "
-        "with the tile");
+    return add_choice(app, "--ranking", ranking,
+                      "Order in which a tile's dots appear: paper, farthest or energy; without it, the one "
+                      "kept with the tile");
 }
 
 CLI::Option* add_tile(CLI::App& app, std::string& tile) {
@@ -254,8 +227,8 @@ void add_dot_options(CLI::App& app, DrawingSettings& settings) {
     add_text(app, setting::scale, read_scale);
 
     add_choice(app, "--placer", settings.placer,
-               "exact: every dot once; figure8: as printed in the article, which emits about a quarter "
-               "of the dots twice and makes about as many as --dots says");
+               "exact: every dot once; figure8: as printed in the article, which emits about a quarter of "
+               "the dots twice and makes about as many as --dots says");
     add_tile(app, settings.tile);
 
     add_ranking(app, settings.ranking);
@@ -277,16 +250,16 @@ void add_dot_options(CLI::App& app, DrawingSettings& settings) {
 
 void add_style_options(CLI::App& app, DrawingSettings& settings) {
     const Heading heading(app, "Dots");
-    add_choice(app, "--style", settings.style,
-               "dots: each by itself; line: one line through all dots, by a short route, which takes some "
-               "seconds to find, or in --order; nearest: lines from each dot to its nearest few, of which no "
-               "two cross");
+    add_choice(
+        app, "--style", settings.style,
+        "dots: each by itself; line: one line through all dots, by a short route, which takes some seconds "
+        "to find, or in --order; nearest: lines from each dot to its nearest few, of which no two cross");
     add_text(
         app, "--dot-shape", "SHAPE|PATH",
         [&settings](const std::string& text) { settings.mark = parse_dot_mark(text); },
         "What a dot is: circle, a filled one; point, the pen down and up; stroke, a short one; spiral or "
-        "hatch, filled by the pen's width; ring; cross; or an SVG path in a box from 0,0 to 1,1, as in "
-        "'M0,0 L1,1', of M, L, H, V, C, Q, A and Z")
+        "hatch, filled by the pen's width; ring; cross; or an SVG path in a box from 0,0 to 1,1, as in 'M0,0 "
+        "L1,1', of M, L, H, V, C, Q, A and Z")
         ->default_str(text_of(settings.mark));
     add_length(app, setting::pen_width, settings.pen_width_mm);
     add_number(app, setting::contours, settings.contours);
@@ -329,10 +302,9 @@ void add_tone_options(CLI::App& app, DrawingSettings& settings) {
 void add_page_options(CLI::App& app, DrawingSettings& settings) {
     const Heading heading(app, "Page");
     PageSetup& page = settings.page;
-    add_paper(
-        app, page,
-        "A paper, a0 to a6, b0 to b6, letter, legal, tabloid, ansi-c to ansi-e, arch-a to arch-e, or a size "
-        "such as 210x297 or 8.5x11in. Without it, the page has the picture's shape");
+    add_paper(app, page,
+              "A paper, a0 to a6, b0 to b6, letter, legal, tabloid, ansi-c to ansi-e, arch-a to arch-e, or a "
+              "size such as 210x297 or 8.5x11in. Without it, the page has the picture's shape");
     add_choice(app, setting::orientation, page.orientation);
     add_length(app, setting::width, page.width_mm);
     add_text(app, setting::height,
@@ -372,14 +344,13 @@ void add_page_options(CLI::App& app, DrawingSettings& settings) {
 void add_arrangement_options(CLI::App& app, std::optional<DotOrder>& order, Sheet& sheet,
                              std::optional<Rectangle<double>>& region) {
     const Heading heading(app, "Page");
-    add_choice(
-        app, "--order", order,
-        "Order of the dots in the file, which is the order they are plotted in: shortest, a short "
-        "route, which for a million dots takes some seconds to find; space, each near the one before, found "
-        "at once; recursion, as they are placed, relaxed ones row by row; priority, the first n being nearly "
-        "the drawing with n dots, if they are not relaxed. Without it, shortest for SVG, G-code, HPGL and "
-        "DXF of up to a million dots, space of up to 5 million, else recursion. shortest, space, priority "
-        "and --placer figure8 hold all dots in memory");
+    add_choice(app, "--order", order,
+               "Order of the dots in the file, which is the order they are plotted in: shortest, a short "
+               "route, which for a million dots takes some seconds to find; space, each near the one before, "
+               "found at once; recursion, as they are placed, relaxed ones row by row; priority, the first n "
+               "being nearly the drawing with n dots, if they are not relaxed. Without it, shortest for SVG, "
+               "G-code, HPGL and DXF of up to a million dots, space of up to 5 million, else recursion. "
+               "shortest, space, priority and --placer figure8 hold all dots in memory");
     add_text(
         app, "--sheet", "C,R/CxR", [&sheet](const std::string& text) { sheet = parse_sheet(text); },
         "One sheet of a mural: 2,1/3x4 is column 2, row 1 of 3 columns and 4 rows; the page and --dots are "
@@ -405,37 +376,34 @@ void check_options(const CLI::App& command, DrawingSettings& settings, bool was_
         const CLI::Option* const option = command.get_option_no_throw(name);
         return option && option->count() > 0;
     };
+    const auto refuse_if = [&](bool wrong, const char* name, const char* why) {
+        if (wrong && given(name)) throw CLI::ValidationError(name, why);
+    };
     for (const char* name : {"--black-point", "--white-point", "--contrast", "--brightness", "--gamma"}) {
         if (!given(name)) continue;
-        if (given("--tone") && settings.automatic_tone) {
+        if (given("--tone") && settings.automatic_tone)
             throw CLI::ValidationError("--tone", fmt::format("auto cannot be given together with {}", name));
-        }
         settings.automatic_tone = false;
     }
-    if (given("--tone-strength") && !settings.automatic_tone)
-        throw CLI::ValidationError("--tone-strength",
-                                   "applies to automatic tone only; leave it out, or give --tone auto");
+    refuse_if(!settings.automatic_tone, "--tone-strength",
+              "applies to automatic tone only; leave it out, or give --tone auto");
     // True light is left as it is.
     if (was_automatic != settings.automatic_tone && !given("--detail"))
         settings.tone.detail = settings.automatic_tone ? kAutoDetail : 0;
     if (was_automatic != settings.automatic_tone && !given("--black")) settings.tone.black.reset();
     const bool by_tone = settings.dot_size.sizing == DotSizing::by_tone;
-    for (const char* name : {"--dots", "--scale"}) {
-        if (!by_tone || !given(name)) continue;
-        throw CLI::ValidationError(
-            name,
+    for (const char* name : {"--dots", "--scale"})
+        refuse_if(
+            by_tone, name,
             "cannot be given together with two radii: how many dots there are follows from their sizes");
-    }
-    if (given("--black") && settings.tone.black && (by_tone || settings.style != DrawingStyle::dots))
-        throw CLI::ValidationError("--black", by_tone ? "has no effect with two radii: such dots grow until "
-                                                        "black is solid; leave it out"
-                                                      : "has no effect on lines; leave it out");
-    if (settings.placer == PlacerKind::figure8 && given("--relax") && settings.relax.value_or(0) > 0)
-        throw CLI::ValidationError("--relax",
-                                   "the figure8 placer's dots stay where they are placed; leave it out");
-    if (command.count("--dots") > 0 && command.count("--scale") > 0) {
-        throw CLI::ValidationError("--dots", "cannot be given together with --scale");
-    }
+    refuse_if(settings.tone.black && by_tone, "--black",
+              "has no effect with two radii: such dots grow until black is solid; leave it out");
+    refuse_if(settings.tone.black && settings.style != DrawingStyle::dots, "--black",
+              "has no effect on lines; leave it out");
+    const bool figure8 = settings.placer == PlacerKind::figure8;
+    refuse_if(figure8 && settings.relax.value_or(0) > 0, "--relax",
+              "the figure8 placer's dots stay where they are placed; leave it out");
+    refuse_if(given("--scale"), "--dots", "cannot be given together with --scale");
     // Both make a page of that size.
     PageSetup& page = settings.page;
     if (given("--width") && given("--height")) {
@@ -452,12 +420,9 @@ void check_options(const CLI::App& command, DrawingSettings& settings, bool was_
                "has no effect where the page has the picture's shape; give --page, or --width and --height, "
                "too");
     }
-    if (settings.tone.black_point >= settings.tone.white_point) {
+    if (settings.tone.black_point >= settings.tone.white_point)
         throw CLI::ValidationError("--black-point", "must be below --white-point");
-    }
-    if (settings.placer == PlacerKind::figure8) {
-        refuse(command, {"--ranking"}, "the figure8 placer has an order of its own; leave it out");
-    }
+    refuse_if(figure8, "--ranking", "the figure8 placer has an order of its own; leave it out");
 }
 
 }  // namespace dapple

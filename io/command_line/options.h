@@ -3,6 +3,8 @@
 //
 // A value that cannot be is refused while parsing, with a sentence that begins with the option's name.
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <cstddef>
 #include <cstdint>
@@ -11,7 +13,7 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
+#include <type_traits>
 
 #include "core/drawing/settings.h"
 #include "core/output/sheet.h"
@@ -34,13 +36,19 @@ using Read = std::function<void(const std::string& text)>;
 CLI::Option* add_text(CLI::App& app, const std::string& name, const std::string& unit, const Read& read,
                       const std::string& help);
 
-/// A finite number within a range. `unit` is what help shows: "STOPS".
-CLI::Option* add_number(CLI::App& app, const std::string& name, double& target, const NumberRange& range,
-                        const std::string& unit, const std::string& help);
-CLI::Option* add_number(CLI::App& app, const std::string& name, float& target, const NumberRange& range,
-                        const std::string& unit, const std::string& help);
-CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<double>& target,
-                        const NumberRange& range, const std::string& unit, const std::string& help);
+/// A finite number within a range; of a std::optional none without the option. `unit` is what help shows:
+/// "STOPS".
+double number_in(const std::string& text, const NumberRange& range);
+template <class Number>
+CLI::Option* add_number(CLI::App& app, const std::string& name, Number& target, const NumberRange& range,
+                        const std::string& unit, const std::string& help) {
+    const auto read = [=, &target](const std::string& text) {
+        target = static_cast<Number>(number_in(text, range));
+    };
+    CLI::Option* const option = add_text(app, name, unit, read, help);
+    if constexpr (std::is_floating_point_v<Number>) option->default_str(fmt::format("{:g}", target));
+    return option;
+}
 
 /// A length, in millimetres unless it names another unit; the range is in millimetres.
 CLI::Option* add_length(CLI::App& app, const std::string& name, double& target, const NumberRange& range,

@@ -3,21 +3,17 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <iostream>
-#include <memory>
 #include <new>
 #include <optional>
 #include <regex>
 #include <span>
 #include <sstream>
-#include <string>
-#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -101,8 +97,6 @@ std::optional<std::string> wrong_option(const CLI::App& app, std::span<char* con
     return std::nullopt;
 }
 
-constexpr std::size_t kNarrowest = 60;
-
 }  // namespace
 
 std::string wrapped(std::string_view text, std::size_t width) {
@@ -130,18 +124,23 @@ std::string wrapped(std::string_view text, std::size_t width) {
     return result;
 }
 
+namespace {
+
+// Of the terminal that the standard output is; 0: it is none.
 std::size_t terminal_columns() {
     winsize size{};
     return ::isatty(STDOUT_FILENO) == 1 && ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
 }
 
-std::string WrappedHelp::make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const {
-    const std::string help = CLI::Formatter::make_help(app, std::move(name), mode);
-    const std::size_t columns = terminal_columns();
-    return columns == 0 ? help : wrapped(help, std::max(columns, kNarrowest));
-}
-
-namespace {
+// Wrapped on a terminal alone: programs and files get each line whole.
+struct WrappedHelp : CLI::Formatter {
+    std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
+        const std::string help = CLI::Formatter::make_help(app, std::move(name), mode);
+        constexpr std::size_t kNarrowest = 60;
+        const std::size_t columns = terminal_columns();
+        return columns == 0 ? help : wrapped(help, std::max(columns, kNarrowest));
+    }
+};
 
 // roff takes a backslash, a hyphen, and a point or quote that begins a line for something else.
 std::string roff(std::string_view text) {

@@ -17,15 +17,6 @@ namespace dapple {
 /// none, such as commands to copy, stay as they are.
 std::string wrapped(std::string_view text, std::size_t width);
 
-/// The columns of the terminal that the standard output is; 0: it is none.
-std::size_t terminal_columns();
-
-/// Wrapped on a terminal alone: programs and files get each line whole.
-class WrappedHelp : public CLI::Formatter {
- public:
-    std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override;
-};
-
 /// What holds a command's options: it has to live until all is parsed and done.
 using Command = std::shared_ptr<const void>;
 

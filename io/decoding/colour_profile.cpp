@@ -8,7 +8,6 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <memory>
-#include <vector>
 
 #include "core/image/tone.h"
 #include "core/maths/portable_math.h"
@@ -113,10 +112,9 @@ bool ColourProfile::says_the_same(int values, const Encoding& usual) const {
     constexpr int kSteps = 8;
     constexpr float kSame = 0.004f;  // a step of 8 bits where there are fewest
     std::vector<float> stored;
-    for (int i = 0; i < (values == 1 ? kSteps : kSteps * kSteps * kSteps); ++i) {
+    for (int i = 0; i < (values == 1 ? kSteps : kSteps * kSteps * kSteps); ++i)
         for (int k = 0, digits = i; k < values; ++k, digits /= kSteps)
             stored.push_back(static_cast<float>(digits % kSteps) / (kSteps - 1));
-    }
     std::vector<glm::vec3> light(stored.size() / static_cast<std::size_t>(values));
     to_light(stored, light);
     for (std::size_t i = 0; i < light.size() * 3; ++i) {

@@ -4,14 +4,9 @@
 #include <jxl/version.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <memory>
-#include <optional>
-#include <span>
 #include <string>
 #include <vector>
 

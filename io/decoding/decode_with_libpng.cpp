@@ -10,7 +10,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -82,10 +81,9 @@ Encoding encoding_of(png_structp png, png_infop info) {
 std::optional<CodePoints> code_points_of(png_structp png, png_infop info) {
     png_unknown_chunkp chunks = nullptr;
     const int count = png_get_unknown_chunks(png, info, &chunks);
-    for (const png_unknown_chunk& chunk : std::span(chunks, static_cast<std::size_t>(std::max(count, 0)))) {
+    for (const png_unknown_chunk& chunk : std::span(chunks, static_cast<std::size_t>(std::max(count, 0))))
         if (std::ranges::equal(chunk.name, kCodePoints) && chunk.size == 4)
             return CodePoints{chunk.data[0], chunk.data[1], chunk.data[2], chunk.data[3] == 1};
-    }
     return std::nullopt;
 }
 

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -44,11 +43,73 @@ class TiffDoubles {
  public:
     /// The page that comes after `page` others in an open file, which stays open. Throws DecodeError, also if
     /// it is not of that size.
-    TiffDoubles(int file, int page, int width, int height, int channels);
+    TiffDoubles(int file, int page, int width, int height, int channels)
+        // "m": by reading; a file that gets shorter meanwhile would end the process.
+        : tiff_(::TIFFFdOpen(::dup(file), "picture", "rm"), &::TIFFClose) {
+        if (!tiff_ || ::TIFFSetDirectory(tiff_.get(), static_cast<tdir_t>(page)) == 0)
+            throw DecodeError("not a picture that can be read");
+        const auto number = [this](std::uint32_t tag) {
+            std::uint32_t value = 0;
+            ::TIFFGetFieldDefaulted(tiff_.get(), tag, &value);
+            return static_cast<int>(std::min<std::uint32_t>(value, INT32_MAX));
+        };
+        const auto short_number = [this](std::uint32_t tag) {
+            std::uint16_t value = 0;
+            ::TIFFGetFieldDefaulted(tiff_.get(), tag, &value);
+            return static_cast<int>(value);
+        };
+        width_ = number(TIFFTAG_IMAGEWIDTH);
+        height_ = number(TIFFTAG_IMAGELENGTH);
+        channels_ = short_number(TIFFTAG_SAMPLESPERPIXEL);
+        in_planes_ = short_number(TIFFTAG_PLANARCONFIG) == PLANARCONFIG_SEPARATE;
+        tiled_ = ::TIFFIsTiled(tiff_.get()) != 0;
+        piece_width_ = tiled_ ? number(TIFFTAG_TILEWIDTH) : width_;
+        piece_height_ = tiled_ ? number(TIFFTAG_TILELENGTH) : std::min(number(TIFFTAG_ROWSPERSTRIP), height_);
+        if (short_number(TIFFTAG_BITSPERSAMPLE) != 64 || width_ != width || height_ != height ||
+            channels_ != channels || piece_width_ <= 0 || piece_height_ <= 0)
+            throw DecodeError("not a picture that can be read");
+        const tmsize_t bytes = tiled_ ? ::TIFFTileSize(tiff_.get()) : ::TIFFStripSize(tiff_.get());
+        piece_.resize(static_cast<std::size_t>(bytes) / sizeof(double));
+    }
 
     /// Rows [begin, end) as floats, all channels of a pixel beside each other. `begin` is the first row of a
     /// strip or of a row of tiles. Throws DecodeError if the file does not have them.
-    void read(int begin, int end, float* pixels);
+    void read(int begin, int end, float* pixels) {
+        const int planes = in_planes_ ? channels_ : 1, per_plane = channels_ / planes;
+        const auto read_piece = [&](int x, int y, int plane, int rows) {
+            const auto ux = static_cast<std::uint32_t>(x), uy = static_cast<std::uint32_t>(y);
+            const auto sample = static_cast<std::uint16_t>(plane);
+            const auto bytes = static_cast<tmsize_t>(piece_.size() * sizeof(double));
+            const tmsize_t got =
+                tiled_ ? ::TIFFReadEncodedTile(tiff_.get(), ::TIFFComputeTile(tiff_.get(), ux, uy, 0, sample),
+                                               piece_.data(), bytes)
+                       : ::TIFFReadEncodedStrip(tiff_.get(), ::TIFFComputeStrip(tiff_.get(), uy, sample),
+                                                piece_.data(), bytes);
+            const std::size_t needed = static_cast<std::size_t>(piece_width_) * per_plane *
+                                       static_cast<std::size_t>(tiled_ ? piece_height_ : rows) *
+                                       sizeof(double);
+            if (got < 0 || static_cast<std::size_t>(got) < needed || piece_.size() * sizeof(double) < needed)
+                throw DecodeError("the picture is damaged (row " + std::to_string(y) + " is not there)");
+        };
+        for (int y = begin; y < end; y += piece_height_) {
+            const int rows = std::min(piece_height_, height_ - y), kept_rows = std::min(rows, end - y);
+            for (int x = 0; x < width_; x += piece_width_) {
+                const int columns = std::min(piece_width_, width_ - x);
+                for (int plane = 0; plane < planes; ++plane) {
+                    read_piece(x, y, plane, rows);
+                    for (int row = 0; row < kept_rows; ++row) {
+                        const double* from =
+                            piece_.data() + static_cast<std::size_t>(row) * piece_width_ * per_plane;
+                        float* to = pixels +
+                                    (static_cast<std::size_t>(y - begin + row) * width_ + x) * channels_ +
+                                    plane;
+                        for (int column = 0; column < columns; ++column, to += channels_)
+                            for (int k = 0; k < per_plane; ++k) to[k] = static_cast<float>(*from++);
+                    }
+                }
+            }
+        }
+    }
 
  private:
     std::unique_ptr<tiff, void (*)(tiff*)> tiff_;
@@ -57,71 +118,6 @@ class TiffDoubles {
     int piece_width_ = 0, piece_height_ = 0;  // of a strip or tile
     std::vector<double> piece_;
 };
-
-TiffDoubles::TiffDoubles(int file, int page, int width, int height, int channels)
-    // "m": by reading; a file that gets shorter meanwhile would end the process.
-    : tiff_(::TIFFFdOpen(::dup(file), "picture", "rm"), &::TIFFClose) {
-    if (!tiff_ || ::TIFFSetDirectory(tiff_.get(), static_cast<tdir_t>(page)) == 0)
-        throw DecodeError("not a picture that can be read");
-    const auto number = [this](std::uint32_t tag) {
-        std::uint32_t value = 0;
-        ::TIFFGetFieldDefaulted(tiff_.get(), tag, &value);
-        return static_cast<int>(std::min<std::uint32_t>(value, INT32_MAX));
-    };
-    const auto short_number = [this](std::uint32_t tag) {
-        std::uint16_t value = 0;
-        ::TIFFGetFieldDefaulted(tiff_.get(), tag, &value);
-        return static_cast<int>(value);
-    };
-    width_ = number(TIFFTAG_IMAGEWIDTH);
-    height_ = number(TIFFTAG_IMAGELENGTH);
-    channels_ = short_number(TIFFTAG_SAMPLESPERPIXEL);
-    in_planes_ = short_number(TIFFTAG_PLANARCONFIG) == PLANARCONFIG_SEPARATE;
-    tiled_ = ::TIFFIsTiled(tiff_.get()) != 0;
-    piece_width_ = tiled_ ? number(TIFFTAG_TILEWIDTH) : width_;
-    piece_height_ = tiled_ ? number(TIFFTAG_TILELENGTH) : std::min(number(TIFFTAG_ROWSPERSTRIP), height_);
-    if (short_number(TIFFTAG_BITSPERSAMPLE) != 64 || width_ != width || height_ != height ||
-        channels_ != channels || piece_width_ <= 0 || piece_height_ <= 0)
-        throw DecodeError("not a picture that can be read");
-    const tmsize_t bytes = tiled_ ? ::TIFFTileSize(tiff_.get()) : ::TIFFStripSize(tiff_.get());
-    piece_.resize(static_cast<std::size_t>(bytes) / sizeof(double));
-}
-
-void TiffDoubles::read(int begin, int end, float* pixels) {
-    const int planes = in_planes_ ? channels_ : 1, per_plane = channels_ / planes;
-    const auto read_piece = [&](int x, int y, int plane, int rows) {
-        const auto ux = static_cast<std::uint32_t>(x), uy = static_cast<std::uint32_t>(y);
-        const auto sample = static_cast<std::uint16_t>(plane);
-        const auto bytes = static_cast<tmsize_t>(piece_.size() * sizeof(double));
-        const tmsize_t got =
-            tiled_ ? ::TIFFReadEncodedTile(tiff_.get(), ::TIFFComputeTile(tiff_.get(), ux, uy, 0, sample),
-                                           piece_.data(), bytes)
-                   : ::TIFFReadEncodedStrip(tiff_.get(), ::TIFFComputeStrip(tiff_.get(), uy, sample),
-                                            piece_.data(), bytes);
-        const std::size_t needed = static_cast<std::size_t>(piece_width_) * per_plane *
-                                   static_cast<std::size_t>(tiled_ ? piece_height_ : rows) * sizeof(double);
-        if (got < 0 || static_cast<std::size_t>(got) < needed || piece_.size() * sizeof(double) < needed)
-            throw DecodeError("the picture is damaged (row " + std::to_string(y) + " is not there)");
-    };
-    for (int y = begin; y < end; y += piece_height_) {
-        const int rows = std::min(piece_height_, height_ - y), kept_rows = std::min(rows, end - y);
-        for (int x = 0; x < width_; x += piece_width_) {
-            const int columns = std::min(piece_width_, width_ - x);
-            for (int plane = 0; plane < planes; ++plane) {
-                read_piece(x, y, plane, rows);
-                for (int row = 0; row < kept_rows; ++row) {
-                    const double* from =
-                        piece_.data() + static_cast<std::size_t>(row) * piece_width_ * per_plane;
-                    float* to =
-                        pixels + (static_cast<std::size_t>(y - begin + row) * width_ + x) * channels_ + plane;
-                    for (int column = 0; column < columns; ++column, to += channels_) {
-                        for (int k = 0; k < per_plane; ++k) to[k] = static_cast<float>(*from++);
-                    }
-                }
-            }
-        }
-    }
-}
 
 // What a Radiance picture says of itself (radsite.lbl.gov/radiance/refer/filefmts.pdf), read without a
 // library.
@@ -186,8 +182,7 @@ RadianceHeader radiance_header(int file) {
         if (line->starts_with("FORMAT=32-bit_rle_xyze"))
             throw DecodeError(
                 "has colours as XYZ, which cannot be read here; Radiance's ra_xyze -r makes them red, green "
-                "and "
-                "blue");
+                "and blue");
         if (line->starts_with("FORMAT=") && line->find("32-bit_rle_rgbe") == line->npos)
             throw DecodeError("has pixels of a format that is not Radiance's: " +
                               std::string(line->substr(7)));
@@ -225,55 +220,47 @@ RadianceHeader radiance_header(int file) {
 class ChangedBeginning : public OIIO::Filesystem::IOProxy {
  public:
     /// `beginning`, and after it what the open file has from `rest` on.
-    ChangedBeginning(std::vector<unsigned char> beginning, int file, std::uint64_t rest);
+    ChangedBeginning(std::vector<unsigned char> beginning, int file, std::uint64_t rest)
+        : IOProxy("picture", Read), beginning_(std::move(beginning)), file_(file), rest_(rest) {}
 
     const char* proxytype() const override { return "changed beginning"; }
-    std::size_t read(void* to, std::size_t size) override;
-    std::size_t pread(void* to, std::size_t size, std::int64_t at) override;
-    std::size_t size() const override;
+    std::size_t read(void* to, std::size_t size) override {
+        const std::size_t got = pread(to, size, m_pos);
+        m_pos += static_cast<std::int64_t>(got);
+        return got;
+    }
+    std::size_t pread(void* to, std::size_t size, std::int64_t at) override {
+        if (at < 0) return 0;
+        auto place = static_cast<std::uint64_t>(at);
+        auto* const bytes = static_cast<unsigned char*>(to);
+        std::size_t got = 0;
+        if (place < beginning_.size()) {
+            got = std::min<std::size_t>(size, beginning_.size() - place);
+            std::copy_n(beginning_.begin() + at, got, bytes);
+            place += got;
+        }
+        while (got < size) {
+            const std::uint64_t in_file = place - beginning_.size() + rest_;
+            if (in_file > INT64_MAX) break;
+            const ssize_t more = ::pread(file_, bytes + got, size - got, static_cast<off_t>(in_file));
+            if (more <= 0) break;
+            got += static_cast<std::size_t>(more);
+            place += static_cast<std::uint64_t>(more);
+        }
+        return got;
+    }
+    std::size_t size() const override {
+        struct stat status {};
+        if (::fstat(file_, &status) != 0) return beginning_.size();
+        const auto all = static_cast<std::uint64_t>(status.st_size);
+        return beginning_.size() + (all > rest_ ? all - rest_ : 0);
+    }
 
  private:
     std::vector<unsigned char> beginning_;
     int file_;
     std::uint64_t rest_;
 };
-
-ChangedBeginning::ChangedBeginning(std::vector<unsigned char> beginning, int file, std::uint64_t rest)
-    : IOProxy("picture", Read), beginning_(std::move(beginning)), file_(file), rest_(rest) {}
-
-std::size_t ChangedBeginning::read(void* to, std::size_t size) {
-    const std::size_t got = pread(to, size, m_pos);
-    m_pos += static_cast<std::int64_t>(got);
-    return got;
-}
-
-std::size_t ChangedBeginning::pread(void* to, std::size_t size, std::int64_t at) {
-    if (at < 0) return 0;
-    auto place = static_cast<std::uint64_t>(at);
-    auto* const bytes = static_cast<unsigned char*>(to);
-    std::size_t got = 0;
-    if (place < beginning_.size()) {
-        got = std::min<std::size_t>(size, beginning_.size() - place);
-        std::copy_n(beginning_.begin() + at, got, bytes);
-        place += got;
-    }
-    while (got < size) {
-        const std::uint64_t in_file = place - beginning_.size() + rest_;
-        if (in_file > INT64_MAX) break;
-        const ssize_t more = ::pread(file_, bytes + got, size - got, static_cast<off_t>(in_file));
-        if (more <= 0) break;
-        got += static_cast<std::size_t>(more);
-        place += static_cast<std::uint64_t>(more);
-    }
-    return got;
-}
-
-std::size_t ChangedBeginning::size() const {
-    struct stat status {};
-    if (::fstat(file_, &status) != 0) return beginning_.size();
-    const auto all = static_cast<std::uint64_t>(status.st_size);
-    return beginning_.size() + (all > rest_ ? all - rest_ : 0);
-}
 
 // BMP files whose pixels are kept as runs (RLE). OpenImageIO 2.4 reads those of greys wrong, and refuses ends
 // of lines after the last row, which many programs write.
@@ -404,9 +391,8 @@ DecodeError error_of(const std::string& what, std::string message, const std::st
     // Some codecs catch it and say its name.
     if (message.find("bad_alloc") != message.npos) return DecodeError(kTooMuchMemory);
     for (const std::string& part :
-         {" (\"" + name + "\")", " \"" + name + "\"", "\"" + name + "\"", " " + name, name}) {
+         {" (\"" + name + "\")", " \"" + name + "\"", "\"" + name + "\"", " " + name, name})
         for (std::size_t at; (at = message.find(part)) != message.npos;) message.erase(at, part.size());
-    }
     if (const std::size_t end = message.find('\n'); end != message.npos) message.resize(end);
     while (!message.empty() && (message.back() == '.' || message.back() == ' ')) message.pop_back();
     message.erase(0, message.find_first_not_of(' '));
@@ -443,9 +429,8 @@ std::unique_ptr<OIIO::ImageInput> open_picture(const std::string& name, PictureF
         throw error_of("not a picture that can be read", input->geterror(), name);
     // Some files begin with a header that has no picture.
     int picture = 0;
-    while (input->spec().width <= 0 || input->spec().height <= 0) {
+    while (input->spec().width <= 0 || input->spec().height <= 0)
         if (!input->seek_subimage(++picture, 0)) throw DecodeError("there is no picture in the file");
-    }
     return input;
 }
 
@@ -471,15 +456,13 @@ Channels channels_of(const OIIO::ImageSpec& spec, PictureFormat format) {
         channels.colour = {luminance, luminance, luminance};
     } else {
         std::vector<int> others;
-        for (int i = 0; i < spec.nchannels; ++i) {
+        for (int i = 0; i < spec.nchannels; ++i)
             if (i != channels.alpha) others.push_back(i);
-        }
         if (others.empty()) others.push_back(0);
-        if (others.size() >= 3) {
+        if (others.size() >= 3)
             channels.colour = {others[0], others[1], others[2]};
-        } else {
+        else
             channels.colour.fill(others[0]);
-        }
     }
     if (channels.alpha && *channels.alpha == channels.colour[0]) channels.alpha.reset();
     return channels;
@@ -575,10 +558,9 @@ int band_rows_of(const OIIO::ImageSpec& spec, bool whole_strips) {
 // Rows [begin, end) of the file as floats.
 bool read_rows(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, int begin, int end, float* pixels) {
     const int subimage = input.current_subimage(), level = input.current_miplevel();
-    if (spec.tile_width == 0) {
+    if (spec.tile_width == 0)
         return input.read_scanlines(subimage, level, spec.y + begin, spec.y + end, spec.z, 0, spec.nchannels,
                                     OIIO::TypeDesc::FLOAT, pixels);
-    }
     return input.read_tiles(subimage, level, spec.x, spec.x + spec.width, spec.y + begin, spec.y + end,
                             spec.z, spec.z + 1, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, pixels);
 }
@@ -631,12 +613,6 @@ std::optional<DisplayWindow> window_of(const OIIO::ImageSpec& spec, PictureForma
     return window;
 }
 
-// What is read in place of a file that OpenImageIO reads wrong.
-std::unique_ptr<ChangedBeginning> changed(int file, std::vector<unsigned char> beginning,
-                                          std::uint64_t rest) {
-    return std::make_unique<ChangedBeginning>(std::move(beginning), file, rest);
-}
-
 }  // namespace
 
 void decode(int file, PictureFormat format, const DecodeRequest& request, const BeforePixels& before_pixels,
@@ -647,12 +623,14 @@ void decode(int file, PictureFormat format, const DecodeRequest& request, const 
     std::optional<PsdPicture> psd;
     if (format == PictureFormat::radiance) {
         radiance = radiance_header(file);
-        from = changed(file, {radiance->plain.begin(), radiance->plain.end()}, radiance->size);
+        from.reset(
+            new ChangedBeginning({radiance->plain.begin(), radiance->plain.end()}, file, radiance->size));
     } else if (format == PictureFormat::psd) {
         psd.emplace(file);
-        from = changed(file, psd->beginning(), psd->rest());
+        from = std::make_unique<ChangedBeginning>(psd->beginning(), file, psd->rest());
     } else if (format == PictureFormat::bmp) {
-        if (auto plain = bmp_without_runs(file)) from = changed(file, std::move(*plain), INT64_MAX);
+        if (auto plain = bmp_without_runs(file))
+            from = std::make_unique<ChangedBeginning>(std::move(*plain), file, INT64_MAX);
     }
     const std::string name = "/dev/fd/" + std::to_string(file);
     const bool halved = format == PictureFormat::raw && request.enough_side > 0;

@@ -10,8 +10,6 @@
 #include <cerrno>
 #include <csignal>
 #include <cstddef>
-#include <cstdint>
-#include <cstdlib>
 #include <cstring>
 #include <optional>
 #include <string>
@@ -20,11 +18,7 @@
 #include <utility>
 #include <vector>
 
-#include "io/decoding/decoded_image.h"
 #include "io/decoding/decoder_sandbox.h"
-#include "io/decoding/image_pipe.h"
-#include "io/decoding/picture_format.h"
-#include "io/descriptor.h"
 #include "io/signals.h"
 
 extern char** environ;
@@ -37,7 +31,7 @@ namespace fs = std::filesystem;
 
 constexpr int kLookAgain = 50;  // milliseconds: so soon is seen that it is to stop
 
-std::string system_words(int error) {
+std::string reason(int error) {
     return std::generic_category().message(error);
 }
 
@@ -51,7 +45,7 @@ std::size_t read_some(int from, std::vector<char>& buffer, const std::stop_token
         if (ready == 0) continue;
         const ssize_t got = ::read(from, buffer.data(), buffer.size());
         if (got >= 0) return static_cast<std::size_t>(got);
-        if (errno != EINTR && errno != EAGAIN) throw DecodeError("cannot be read: " + system_words(errno));
+        if (errno != EINTR && errno != EAGAIN) throw DecodeError("cannot be read: " + reason(errno));
     }
 }
 
@@ -59,7 +53,7 @@ void write_all(int to, const char* bytes, std::size_t size) {
     while (size > 0) {
         const ssize_t written = ::write(to, bytes, size);
         if (written < 0 && errno == EINTR) continue;
-        if (written < 0) throw DecodeError("cannot be kept while it is read: " + system_words(errno));
+        if (written < 0) throw DecodeError("cannot be kept while it is read: " + reason(errno));
         bytes += written;
         size -= static_cast<std::size_t>(written);
     }
@@ -109,15 +103,6 @@ void keep_input(int from, int to, std::uint64_t most, const std::stop_token& sto
     }
 }
 
-Descriptor kept_input(int from, const std::stop_token& stop) {
-    std::string name = (temporary_folder() / "dapple-XXXXXX").native();
-    Descriptor file(::mkostemp(name.data(), O_CLOEXEC));
-    if (!file) throw DecodeError("cannot be kept while it is read: " + system_words(errno));
-    ::unlink(name.c_str());
-    keep_input(from, file.get(), kMostKeptBytes, stop);
-    return file;
-}
-
 fs::path temporary_folder() {
     std::error_code error;
     fs::path folder = fs::temp_directory_path(error);
@@ -132,16 +117,50 @@ class TiffPage {
  public:
     /// The page of an open file, whose descriptor keeps its place. For a file that is no TIFF, or is broken,
     /// it says something, but harms nobody.
-    explicit TiffPage(int file);
+    explicit TiffPage(int file) : file_(file) {
+        constexpr std::uint64_t kBigTiff = 43;
+        big_endian_ = number_at(0, 1) == 'M';
+        const bool big = number_at(2, 2) == kBigTiff;
+        if (big) {
+            place_bytes_ = 8;
+            entry_bytes_ = 20;
+        }
+        const int count_bytes = big ? 8 : 2;
+        const std::uint64_t page = number_at(big ? 8 : 4, place_bytes_);
+        entries_ = number_at(page, count_bytes) & 0xffff;
+        first_ = page + static_cast<std::uint64_t>(count_bytes);
+    }
 
     /// The first of the numbers, or the place of them, that an entry has. Nothing: there is no such entry.
-    std::optional<std::uint64_t> entry(std::uint64_t tag) const;
+    std::optional<std::uint64_t> entry(std::uint64_t tag) const {
+        constexpr std::uint64_t kByte = 1, kShort = 3;
+        for (std::uint64_t i = 0; i < entries_; ++i) {
+            const std::uint64_t at = first_ + i * static_cast<std::uint64_t>(entry_bytes_);
+            if (number_at(at, 2) != tag) continue;
+            const std::uint64_t type = number_at(at + 2, 2);
+            const int bytes = type == kByte ? 1 : type == kShort ? 2 : 4;
+            return number_at(at + 4 + static_cast<std::uint64_t>(place_bytes_), bytes);
+        }
+        return std::nullopt;
+    }
 
     /// Whether the page after it is there.
-    bool is_followed() const;
+    bool is_followed() const {
+        return number_at(first_ + entries_ * static_cast<std::uint64_t>(entry_bytes_), place_bytes_) != 0;
+    }
 
  private:
-    std::uint64_t number_at(std::uint64_t at, int bytes) const;
+    // Some bytes of the file as a whole number; 0 where it ends before.
+    std::uint64_t number_at(std::uint64_t at, int bytes) const {
+        std::array<unsigned char, 8> read{};
+        if (at > INT64_MAX ||
+            ::pread(file_, read.data(), static_cast<std::size_t>(bytes), static_cast<off_t>(at)) != bytes)
+            return 0;
+        std::uint64_t number = 0;
+        for (int i = 0; i < bytes; ++i)
+            number = number << 8 | read[static_cast<std::size_t>(big_endian_ ? i : bytes - 1 - i)];
+        return number;
+    }
 
     int file_;
     bool big_endian_ = false;
@@ -149,48 +168,6 @@ class TiffPage {
     int place_bytes_ = 4, entry_bytes_ = 12;
     std::uint64_t first_ = 0, entries_ = 0;
 };
-
-TiffPage::TiffPage(int file) : file_(file) {
-    constexpr std::uint64_t kBigTiff = 43;
-    big_endian_ = number_at(0, 1) == 'M';
-    const bool big = number_at(2, 2) == kBigTiff;
-    if (big) {
-        place_bytes_ = 8;
-        entry_bytes_ = 20;
-    }
-    const int count_bytes = big ? 8 : 2;
-    const std::uint64_t page = number_at(big ? 8 : 4, place_bytes_);
-    entries_ = number_at(page, count_bytes) & 0xffff;
-    first_ = page + static_cast<std::uint64_t>(count_bytes);
-}
-
-// Some bytes of the file as a whole number; 0 where it ends before.
-std::uint64_t TiffPage::number_at(std::uint64_t at, int bytes) const {
-    std::array<unsigned char, 8> read{};
-    if (at > INT64_MAX ||
-        ::pread(file_, read.data(), static_cast<std::size_t>(bytes), static_cast<off_t>(at)) != bytes)
-        return 0;
-    std::uint64_t number = 0;
-    for (int i = 0; i < bytes; ++i)
-        number = number << 8 | read[static_cast<std::size_t>(big_endian_ ? i : bytes - 1 - i)];
-    return number;
-}
-
-std::optional<std::uint64_t> TiffPage::entry(std::uint64_t tag) const {
-    constexpr std::uint64_t kByte = 1, kShort = 3;
-    for (std::uint64_t i = 0; i < entries_; ++i) {
-        const std::uint64_t at = first_ + i * static_cast<std::uint64_t>(entry_bytes_);
-        if (number_at(at, 2) != tag) continue;
-        const std::uint64_t type = number_at(at + 2, 2);
-        const int bytes = type == kByte ? 1 : type == kShort ? 2 : 4;
-        return number_at(at + 4 + static_cast<std::uint64_t>(place_bytes_), bytes);
-    }
-    return std::nullopt;
-}
-
-bool TiffPage::is_followed() const {
-    return number_at(first_ + entries_ * static_cast<std::uint64_t>(entry_bytes_), place_bytes_) != 0;
-}
 
 // Whether a TIFF is a camera's raw file: the page with the sensor's values is the first one, or lies behind
 // a small picture of it.
@@ -202,10 +179,14 @@ bool is_camera_raw(const TiffPage& page) {
            ((page.entry(kSubfileType).value_or(0) & kReduced) != 0 && page.entry(kPagesWithin));
 }
 
-namespace fs = std::filesystem;
-
-std::string reason(int error) {
-    return std::generic_category().message(error);
+// What comes in a new file without a name, which is gone with its descriptor.
+Descriptor kept_input(int from, const std::stop_token& stop) {
+    std::string name = (temporary_folder() / "dapple-XXXXXX").native();
+    Descriptor file(::mkostemp(name.data(), O_CLOEXEC));
+    if (!file) throw DecodeError("cannot be kept while it is read: " + reason(errno));
+    ::unlink(name.c_str());
+    keep_input(from, file.get(), kMostKeptBytes, stop);
+    return file;
 }
 
 void wait_at_reading(const Descriptor& file) {

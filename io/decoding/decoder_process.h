@@ -23,9 +23,6 @@ inline constexpr std::uint64_t kMostKeptBytes = 2'000'000'000;
 /// `most` bytes come; if it cannot be read or written; and when it is stopped, also while nothing comes.
 void keep_input(int from, int to, std::uint64_t most = kMostKeptBytes, const std::stop_token& stop = {});
 
-/// The same into a new file without a name, which is gone with its descriptor.
-Descriptor kept_input(int from, const std::stop_token& stop = {});
-
 /// Where temporary files are made.
 std::filesystem::path temporary_folder();
 

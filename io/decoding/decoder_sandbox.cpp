@@ -15,7 +15,6 @@
 #include <csignal>
 #include <cstdint>
 #include <memory>
-#include <string>
 #include <system_error>
 #endif
 

@@ -5,25 +5,10 @@
 namespace dapple {
 
 glm::ivec2 ExifOrientation::upright(int x, int y, int width, int height) const {
-    const int right = width - 1 - x, bottom = height - 1 - y;
-    switch (value) {
-        case 2:
-            return {right, y};
-        case 3:
-            return {right, bottom};
-        case 4:
-            return {x, bottom};
-        case 5:
-            return {y, x};
-        case 6:
-            return {bottom, x};
-        case 7:
-            return {bottom, right};
-        case 8:
-            return {y, right};
-        default:
-            return {x, y};
-    }
+    const bool mirrored_x = value == 2 || value == 3 || value == 7 || value == 8,
+               mirrored_y = value == 3 || value == 4 || value == 6 || value == 7;
+    const glm::ivec2 to(mirrored_x ? width - 1 - x : x, mirrored_y ? height - 1 - y : y);
+    return swaps_sides() ? glm::ivec2(to.y, to.x) : to;
 }
 
 int orientation_in(std::span<const unsigned char> exif) {

@@ -123,7 +123,6 @@ class Reader {
     const std::string sentence = printable(reader.text());
     if (sentence.empty()) fail_nonsense("an error without a word");
     if (kind == kTooManyPixels) throw TooManyPixels(sentence);
-    if (kind == kSystem || sentence == kTooMuchMemory) throw DecodeError(sentence);
     throw DecodeError(sentence);
 }
 
@@ -207,10 +206,6 @@ void ImagePipe::row(std::span<const glm::vec3> colours) {
     } else {
         put(colours.data(), colours.size_bytes());
     }
-}
-
-void ImagePipe::finish() {
-    flush();
 }
 
 void ImagePipe::fail(const std::string& sentence, PictureFailure by) {

@@ -28,7 +28,7 @@ class ImagePipe : public ImageSink {
     void begin(const ImageHeader& header) override;
     void row(std::span<const glm::vec3> colours) override;
     /// After the last row.
-    void finish();
+    void finish() { flush(); }
     /// In place of rows that are still to come.
     void fail(const std::string& sentence, PictureFailure by);
 

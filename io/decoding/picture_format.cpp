@@ -111,11 +111,10 @@ bool is_targa(std::string_view bytes) {
 
 std::optional<PictureFormat> format_of(std::span<const unsigned char> beginning) {
     const std::string_view bytes(reinterpret_cast<const char*>(beginning.data()), beginning.size());
-    for (const Mark& mark : kMarks) {
+    for (const Mark& mark : kMarks)
         if (bytes.size() >= mark.offset + mark.bytes.size() &&
             bytes.substr(mark.offset).starts_with(mark.bytes))
             return mark.format;
-    }
     if (is_pnm(bytes)) return PictureFormat::pnm;
     if (is_bmp(bytes)) return PictureFormat::bmp;
     if (is_targa(bytes)) return PictureFormat::targa;

@@ -3,7 +3,6 @@
 // Specification). OpenImageIO refuses a file for a layer packed in a way that it does not know, leaves out
 // the transparency of grey pictures, and takes colours that are not mixed with white for such that are.
 
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 

@@ -5,10 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/common.hpp>
-#include <string>
-
-#include "core/text/shown_text.h"
-#include "io/decoding/decoded_image.h"
 
 namespace dapple {
 

@@ -12,12 +12,11 @@
 #include <random>
 #include <stdexcept>
 #include <streambuf>
-#include <string>
 #include <string_view>
 #include <system_error>
 #include <thread>
-#include <vector>
 
+#include "core/failure.h"
 #include "io/descriptor.h"
 #include "io/signals.h"
 
@@ -45,7 +44,7 @@ std::string reason(int error) {
 }
 
 [[noreturn]] void fail(const fs::path& target, std::string_view what) {
-    throw std::runtime_error(fmt::format("{}: {}", target.string(), what));
+    throw failure("{}: {}", target.string(), what);
 }
 
 [[noreturn]] void fail_to_write(const fs::path& target, int error) {
@@ -308,9 +307,9 @@ void save_next(std::size_t before, const std::function<void()>& save) {
         save();
     } catch (const std::runtime_error& error) {
         if (before == 0) throw;
-        throw std::runtime_error(fmt::format("{}; {} before it {} saved, and {}", error.what(),
-                                             before == 1 ? "the one" : fmt::format("the {}", before),
-                                             before == 1 ? "is" : "are", before == 1 ? "stays" : "stay"));
+        throw failure("{}; {} before it {} saved, and {}", error.what(),
+                      before == 1 ? "the one" : fmt::format("the {}", before), before == 1 ? "is" : "are",
+                      before == 1 ? "stays" : "stay");
     }
 }
 
@@ -323,11 +322,10 @@ void save_atomically(const fs::path& target, const std::function<void(std::ostre
     const fs::path destination = destination_of(target);
     std::error_code error;
     const fs::file_status status = fs::status(destination, error);
-    if (fs::exists(status) && !fs::is_regular_file(status)) {
+    if (fs::exists(status) && !fs::is_regular_file(status))
         write_directly(destination, write);
-    } else {
+    else
         write_beside(destination, write);
-    }
 }
 
 }  // namespace dapple

@@ -13,12 +13,11 @@ namespace dapple {
 /// Calls `write` with a stream into a new file beside `target`, then brings it to disk and gives it that
 /// name. Whatever goes wrong, or ends the program meanwhile, an existing `target` stays as it was. On Linux's
 /// own file systems the new file has no name until it is whole, and nothing is left of it. On others it is a
-/// hidden one,
-/// ".dapple-1a2b3c4d.part", which is removed if writing fails and stays if the program is ended. It has the
-/// mode of the old one, without the bits by which it would run as somebody else, and its owner where the
-/// system lets us. Links are followed, to files that are not there yet too; what exists and is no regular
-/// file (a pipe, /dev/null) is written to directly. In a regular file the stream can go back to what was
-/// written.
+/// hidden one, ".dapple-1a2b3c4d.part", which is removed if writing fails and stays if the program is ended.
+/// It has the mode of the old one, without the bits by which it would run as somebody else, and its owner
+/// where the system lets us. Links are followed, to files that are not there yet too; what exists and is no
+/// regular file (a pipe, /dev/null) is written to directly. In a regular file the stream can go back to what
+/// was written.
 ///
 /// Throws std::runtime_error naming the target and what is wrong: its folder is missing or read-only, it is a
 /// folder, read-only itself or a link to itself, the disk is full, nobody reads the pipe. What `write` throws

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <glm/common.hpp>
 #include <stdexcept>
-#include <string>
 #include <string_view>
 #include <utility>
 

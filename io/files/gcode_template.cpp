@@ -1,10 +1,9 @@
 #include "io/files/gcode_template.h"
 
-#include <fmt/format.h>
-
 #include <stdexcept>
 #include <string>
 
+#include "core/failure.h"
 #include "core/output/gcode.h"
 #include "core/text/shown_text.h"
 #include "io/files/text_file.h"
@@ -18,11 +17,10 @@ OwnTemplate read_gcode_template(const std::filesystem::path& file) {
     try {
         static_cast<void>(parse_gcode_template(own.text));
     } catch (const std::runtime_error& error) {
-        throw std::runtime_error(fmt::format("{}: {}", name, error.what()));
+        throw failure("{}: {}", name, error.what());
     }
     // Projects are UTF-8.
-    if (!is_utf8(own.text))
-        throw std::runtime_error(fmt::format("{}: is not text in UTF-8; save it as UTF-8", name));
+    if (!is_utf8(own.text)) throw failure("{}: is not text in UTF-8; save it as UTF-8", name);
     return own;
 }
 

@@ -8,11 +8,10 @@
 #include <exception>
 #include <map>
 #include <sstream>
-#include <stdexcept>
 #include <vector>
 
-#include "core/text/length.h"
-#include "core/text/shown_text.h"
+#include "core/failure.h"
+#include "core/text/number_words.h"
 #include "io/files/pdf_layers.h"
 
 namespace dapple {
@@ -127,8 +126,7 @@ class PdfWriter : public InkWriter {
         if (thrown_) std::rethrow_exception(thrown_);
         for (const cairo_status_t status : {drawn, cairo_surface_status(surface_)}) {
             if (status == CAIRO_STATUS_SUCCESS) continue;
-            throw std::runtime_error(
-                fmt::format("the PDF cannot be written: {}", cairo_status_to_string(status)));
+            throw failure("the PDF cannot be written: {}", cairo_status_to_string(status));
         }
         if (layered_) write_as_layers(file_, pages_.view(), layers_);
     }
@@ -211,16 +209,16 @@ class PdfWriter : public InkWriter {
 void check_fits_pdf(const PageSize& page, std::uint64_t dots) {
     // What is rounded up to a hundredth of a millimetre is taken too.
     if (std::max(page.width_mm, page.height_mm) > kLongestPdfSideMm + 0.01) {
-        throw std::runtime_error(
-            fmt::format("a page in a PDF is at most {:g} mm wide and high, and this one is {:g} x {:g} mm; "
-                        "choose a smaller width, a part of the page or SVG",
-                        kLongestPdfSideMm, page.width_mm, page.height_mm));
+        throw failure(
+            "a page in a PDF is at most {:g} mm wide and high, and this one is {:g} x {:g} mm; "
+            "choose a smaller width, a part of the page or SVG",
+            kLongestPdfSideMm, page.width_mm, page.height_mm);
     }
     if (dots > kMostPdfDots) {
-        throw std::runtime_error(
-            fmt::format("a PDF is made in memory and has at most {} dots, and this one would have {}; choose "
-                        "fewer, a part of the page or SVG",
-                        grouped(kMostPdfDots), grouped(dots)));
+        throw failure(
+            "a PDF is made in memory and has at most {} dots, and this one would have {}; choose "
+            "fewer, a part of the page or SVG",
+            grouped(kMostPdfDots), grouped(dots));
     }
 }
 

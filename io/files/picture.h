@@ -7,7 +7,6 @@
 #include <glm/vec3.hpp>
 #include <optional>
 #include <span>
-#include <stdexcept>
 #include <stop_token>
 #include <string>
 #include <string_view>

@@ -3,7 +3,6 @@
 #include <zlib.h>
 
 #include <cmath>
-#include <cstdint>
 #include <exception>
 #include <stdexcept>
 
@@ -88,10 +87,11 @@ class PngRows {
     std::vector<png_byte> bytes_;
 };
 
+}  // namespace
+
 template <class Channel>
-void write_pixels_as_png(
-    std::ostream& out, const PngHeader& header,
-    const std::function<void(const std::function<void(const Grid<glm::vec<3, Channel>>&)>&)>& draw) {
+void write_png(std::ostream& out, const PngHeader& header,
+               const std::type_identity_t<DrawInto<Channel>>& draw) {
     PngWriter file(out);
     png_structp const png = file.png();
     png_infop const info = file.info();
@@ -133,16 +133,7 @@ void write_pixels_as_png(
     file.call([&] { png_write_end(png, nullptr); });
 }
 
-}  // namespace
-
-void write_png(std::ostream& out, const PngHeader& header,
-               const std::function<void(const PixelSink&)>& draw) {
-    write_pixels_as_png<std::uint8_t>(out, header, draw);
-}
-
-void write_png_16(std::ostream& out, const PngHeader& header,
-                  const std::function<void(const PixelSink16&)>& draw) {
-    write_pixels_as_png<std::uint16_t>(out, header, draw);
-}
+template void write_png<std::uint8_t>(std::ostream&, const PngHeader&, const DrawInto<std::uint8_t>&);
+template void write_png<std::uint16_t>(std::ostream&, const PngHeader&, const DrawInto<std::uint16_t>&);
 
 }  // namespace dapple

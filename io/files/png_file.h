@@ -1,10 +1,12 @@
 #pragma once
 // PNG into a stream, with the size on paper in it.
 
+#include <cstdint>
 #include <functional>
 #include <glm/gtc/type_precision.hpp>
 #include <ostream>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "core/image/grid.h"
@@ -29,17 +31,19 @@ struct PngHeader {
     std::vector<PngText> texts = {};  // empty ones are left out
 };
 
-/// A stretch of rows, from the top down.
-using PixelSink = std::function<void(const Grid<glm::u8vec3>& band)>;
+/// Takes a stretch of rows, from the top down. A channel is a number of 8 bits or of 16.
+template <class Channel>
+using SinkOf = std::function<void(const Grid<glm::vec<3, Channel>>& band)>;
+using PixelSink = SinkOf<std::uint8_t>;
 
-/// Calls `draw` with a sink, to which it gives all rows in order. Throws std::runtime_error if the picture is
-/// too large for PNG; what `draw` or the stream throw passes through.
-void write_png(std::ostream& out, const PngHeader& header, const std::function<void(const PixelSink&)>& draw);
+/// Gives such a sink all rows in order.
+template <class Channel>
+using DrawInto = std::function<void(const SinkOf<Channel>&)>;
 
-using PixelSink16 = std::function<void(const Grid<glm::u16vec3>& band)>;
-
-/// The same with 16 bits a channel.
-void write_png_16(std::ostream& out, const PngHeader& header,
-                  const std::function<void(const PixelSink16&)>& draw);
+/// Calls `draw` with a sink. Throws std::runtime_error if the picture is too large for PNG; what `draw` or
+/// the stream throw passes through.
+template <class Channel = std::uint8_t>
+void write_png(std::ostream& out, const PngHeader& header,
+               const std::type_identity_t<DrawInto<Channel>>& draw);
 
 }  // namespace dapple

@@ -1,12 +1,9 @@
 #include "io/files/save_drawing.h"
 
 #include <memory>
-#include <ostream>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
-#include "core/drawing/write_drawing.h"
 #include "core/output/raster.h"
 #include "core/text/shown_text.h"
 #include "io/files/atomic_file.h"
@@ -63,9 +60,9 @@ bool is_grey(glm::vec3 colour) {
 // Thrown from within a writer to leave it.
 struct Stopped {};
 
-// By write_image(header, draw), where draw(sink) hands over bands of what colours(coverage) makes.
-void write_pixels(const DrawingFile& file, const InkPage& page, const WritingProgress& progress,
-                  const auto& write_image, const auto& colours) {
+template <class Channel>
+void write_pixels(std::ostream& out, const DrawingFile& file, const InkPage& page,
+                  const WritingProgress& progress) {
     const DrawingSettings& settings = file.settings;
     const RasterSize size = raster_size(page.size, file.saving.dpi);
     const bool grey = page.pens.empty() && is_grey(settings.ink) && is_grey(settings.paper);
@@ -74,13 +71,15 @@ void write_pixels(const DrawingFile& file, const InkPage& page, const WritingPro
                            file.saving.dpi,
                            grey ? PngColours::grey : PngColours::rgb,
                            {{kPngSettingsKeyword, file.embedded}}};
-    write_image(header, [&](const auto& pixels) {
+    const DrawInto<Channel> draw = [&](const SinkOf<Channel>& pixels) {
         rasterise(page, {.dpi = file.saving.dpi, .threads = settings.placing.threads},
                   [&](int first_row, std::span<const Grid<float>> coverage) {
                       if (progress) progress(static_cast<double>(first_row) / size.height);
-                      pixels(colours(coverage, page, settings.paper));
+                      pixels(ink_on_paper<Channel>(coverage, page, settings.paper));
                   });
-    });
+    };
+    if (file.format == DrawingFormat::png) return write_png<Channel>(out, header, draw);
+    write_tiff<Channel>(out, header, draw);
 }
 
 }  // namespace
@@ -91,18 +90,8 @@ void write_drawing(std::ostream& out, const DrawingToSave& drawing, const std::s
     const InkPage page = ink_page(drawing);
     if (is_text(format)) return write_as(format, out, page, progress);
     if (format == DrawingFormat::pdf) return write_pdf(out, page, title, progress);
-    const auto pixels = [&](const auto& write_image, const auto& colours) {
-        write_pixels(drawing.file, page, progress, write_image, colours);
-    };
-    const bool png = format == DrawingFormat::png;
-    if (drawing.file.saving.bits == 16)
-        pixels(
-            [&](const auto&... image) { png ? write_png_16(out, image...) : write_tiff_16(out, image...); },
-            []<class... Layers>(const Layers&... layers) { return ink_on_paper<std::uint16_t>(layers...); });
-    else
-        pixels(
-            [&](const auto&... image) { png ? write_png(out, image...) : write_tiff(out, image...); },
-            []<class... Layers>(const Layers&... layers) { return ink_on_paper<std::uint8_t>(layers...); });
+    const bool deep = drawing.file.saving.bits == 16;
+    (deep ? write_pixels<std::uint16_t> : write_pixels<std::uint8_t>)(out, drawing.file, page, progress);
 }
 
 bool save_drawing(const DrawingToSave& drawing, const Watch& watch) {

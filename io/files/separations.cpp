@@ -9,7 +9,6 @@
 #include <glm/common.hpp>
 #include <glm/vec2.hpp>
 #include <limits>
-#include <optional>
 #include <string>
 
 #include "core/output/raster.h"
@@ -145,22 +144,20 @@ void write_separation(std::ostream& out, const DrawingToSave& drawing, std::size
     const double dpi = own.file.saving.dpi;
     const RasterSize size = raster_size(page.size, dpi);
     const PngHeader header{size.width, size.height, dpi, PngColours::grey};
-    const auto draw = [&]<class Channel>(Channel, const auto& pixels) {
-        rasterise(page, {.dpi = dpi, .threads = own.file.settings.placing.threads},
-                  [&](int first_row, std::span<const Grid<float>> coverage) {
-                      if (progress) progress(static_cast<double>(first_row) / size.height);
-                      Grid<float> marked = coverage[0];
-                      add_marks(page.registration, dpi / kMmPerInch, first_row, marked);
-                      pixels(grey_of<Channel>(marked));
-                  });
+    const auto write = [&]<class Channel>(Channel) {
+        const DrawInto<Channel> draw = [&](const SinkOf<Channel>& pixels) {
+            rasterise(page, {.dpi = dpi, .threads = own.file.settings.placing.threads},
+                      [&](int first_row, std::span<const Grid<float>> coverage) {
+                          if (progress) progress(static_cast<double>(first_row) / size.height);
+                          Grid<float> marked = coverage[0];
+                          add_marks(page.registration, dpi / kMmPerInch, first_row, marked);
+                          pixels(grey_of<Channel>(marked));
+                      });
+        };
+        if (own.file.format == DrawingFormat::png) return write_png<Channel>(out, header, draw);
+        write_tiff<Channel>(out, header, draw);
     };
-    const auto in_8_bits = [&](const PixelSink& pixels) { draw(std::uint8_t{}, pixels); };
-    const auto in_16_bits = [&](const PixelSink16& pixels) { draw(std::uint16_t{}, pixels); };
-    const bool deep = own.file.saving.bits == 16, png = own.file.format == DrawingFormat::png;
-    if (png && deep) return write_png_16(out, header, in_16_bits);
-    if (png) return write_png(out, header, in_8_bits);
-    if (deep) return write_tiff_16(out, header, in_16_bits);
-    write_tiff(out, header, in_8_bits);
+    own.file.saving.bits == 16 ? write(std::uint16_t{}) : write(std::uint8_t{});
 }
 
 }  // namespace dapple

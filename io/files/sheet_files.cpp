@@ -6,7 +6,6 @@
 #include <iterator>
 #include <ostream>
 
-#include "core/output/sheet.h"
 #include "core/text/shown_text.h"
 #include "io/files/atomic_file.h"
 #include "io/files/save_drawing.h"

@@ -8,9 +8,9 @@
 #include <array>
 #include <cerrno>
 #include <stdexcept>
-#include <string>
 #include <system_error>
 
+#include "core/failure.h"
 #include "core/text/shown_text.h"
 #include "io/descriptor.h"
 
@@ -56,7 +56,7 @@ std::string in_large_units(std::uintmax_t bytes) {
 
 std::string text_of_file(const std::filesystem::path& file, const TextKind& kind) {
     const auto fail = [&](const std::string& what) {
-        throw std::runtime_error(fmt::format("{}: {}", printable(file.native()), what));
+        throw failure("{}: {}", printable(file.native()), what);
     };
     const auto fail_to_read = [&] {
         fail(fmt::format("cannot be read: {}", std::generic_category().message(errno)));

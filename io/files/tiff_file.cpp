@@ -122,8 +122,10 @@ class TiffWriter {
     TIFF* tiff_ = nullptr;
 };
 
+}  // namespace
+
 template <class Channel>
-void write_tiff_of(std::ostream& out, const PngHeader& header, const auto& draw) {
+void write_tiff(std::ostream& out, const PngHeader& header, const DrawInto<Channel>& draw) {
     if (out.tellp() != std::ostream::pos_type(0)) {
         throw std::runtime_error("a TIFF cannot go to a pipe; name a file, or write a PNG");
     }
@@ -158,16 +160,7 @@ void write_tiff_of(std::ostream& out, const PngHeader& header, const auto& draw)
     file.finish();
 }
 
-}  // namespace
-
-void write_tiff(std::ostream& out, const PngHeader& header,
-                const std::function<void(const PixelSink&)>& draw) {
-    write_tiff_of<std::uint8_t>(out, header, draw);
-}
-
-void write_tiff_16(std::ostream& out, const PngHeader& header,
-                   const std::function<void(const PixelSink16&)>& draw) {
-    write_tiff_of<std::uint16_t>(out, header, draw);
-}
+template void write_tiff(std::ostream&, const PngHeader&, const DrawInto<std::uint8_t>&);
+template void write_tiff(std::ostream&, const PngHeader&, const DrawInto<std::uint16_t>&);
 
 }  // namespace dapple

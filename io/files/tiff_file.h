@@ -7,15 +7,11 @@
 
 namespace dapple {
 
-/// As write_png(): 8 bits a channel, compressed by LZW without loss, the resolution in pixels to the inch;
+/// As write_png(): compressed by LZW without loss, the resolution in pixels to the inch;
 /// BigTIFF where four gigabytes might not do. The stream has to be one that can go back, and nothing may be
 /// in it yet: a TIFF says at its beginning where its end is. Throws std::runtime_error if the stream cannot
 /// go back, as pipes; what `draw` or the stream throw passes through.
-void write_tiff(std::ostream& out, const PngHeader& header,
-                const std::function<void(const PixelSink&)>& draw);
-
-/// The same with 16 bits a channel.
-void write_tiff_16(std::ostream& out, const PngHeader& header,
-                   const std::function<void(const PixelSink16&)>& draw);
+template <class Channel>
+void write_tiff(std::ostream& out, const PngHeader& header, const DrawInto<Channel>& draw);
 
 }  // namespace dapple

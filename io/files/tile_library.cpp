@@ -1,13 +1,11 @@
 #include "io/files/tile_library.h"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <filesystem>
 #include <stdexcept>
 
+#include "core/failure.h"
 #include "core/text/shown_text.h"
-#include "io/files/text_file.h"
 
 namespace dapple {
 namespace {
@@ -24,14 +22,13 @@ bool is_words_text(const std::string& text) {
 StoredTile read_tile_file(const std::string& name) {
     const std::string text = text_of_file(name, kTileFile);
     if (!is_tile_text(text) && is_words_text(text)) {
-        throw std::runtime_error(fmt::format(
-            "{}: has words but no ranks; dapple-lab tile rank {} -o FILE makes a tile file of them", name,
-            name));
+        throw failure("{}: has words but no ranks; dapple-lab tile rank {} -o FILE makes a tile file of them",
+                      name, name);
     }
     try {
         return read_tile(text);
     } catch (const std::runtime_error& error) {
-        throw std::runtime_error(fmt::format("{}: not a tile file, {}", name, error.what()));
+        throw failure("{}: not a tile file, {}", name, error.what());
     }
 }
 
@@ -49,9 +46,8 @@ StoredTile load_tile(const std::string& name) {
     if (std::optional<StoredTile> known = tile_called(name)) return *std::move(known);
     std::error_code error;
     if (std::filesystem::exists(name, error)) return read_tile_file(name);
-    throw std::runtime_error(
-        fmt::format("{}: no such tile or tile file; there are {}, and integers such as 14217,2895/16", name,
-                    fmt::join(built_in_tile_names(), ", ")));
+    throw failure("{}: no such tile or tile file; there are {}, and integers such as 14217,2895/16", name,
+                  fmt::join(built_in_tile_names(), ", "));
 }
 
 RankedTile tile_named(const std::string& name, std::optional<RankingMethod> method) {

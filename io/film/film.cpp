@@ -6,7 +6,6 @@
 #include <memory>
 #include <stdexcept>
 #include <utility>
-#include <vector>
 
 #include "core/drawing/write_drawing.h"
 #include "core/output/sheet.h"

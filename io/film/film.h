@@ -7,7 +7,6 @@
 #include <glm/gtc/type_precision.hpp>
 #include <glm/vec2.hpp>
 #include <optional>
-#include <string_view>
 #include <vector>
 
 #include "core/drawing/pipeline.h"

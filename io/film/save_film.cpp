@@ -8,7 +8,6 @@
 #include <new>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 #include "core/text/shown_text.h"
 #include "io/files/atomic_file.h"

@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <vector>
 
 #include "core/image/colour.h"
 #include "core/text/xml_text.h"

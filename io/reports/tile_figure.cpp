@@ -80,6 +80,10 @@ class Figure {
     void caption(const Panel& panel, std::string_view words);
     void circle(glm::dvec2 centre, double radius);
     void number(double value) { text_.fixed(value, 2); }
+    template <class... Values>
+    void line(fmt::format_string<Values...> format, Values&&... values) {
+        text_ << fmt::format(format, std::forward<Values>(values)...) << '\n';
+    }
     std::size_t size() const { return stored_.tile.size(); }
     std::span<const BinaryPoint> points_of(std::size_t kind) const {
         return std::span(stored_.tile.points).subspan(kind * size(), size());
@@ -114,15 +118,11 @@ void Figure::circle(glm::dvec2 centre, double radius) {
 
 void Figure::frame(const Panel& panel, bool quadrants) {
     const double half = panel.side / 2;
-    text_ << fmt::format(
-                 R"(<rect x="{}" y="{}" width="{}" height="{}" fill="none" stroke="{}" stroke-width="1"/>)",
-                 panel.x, panel.y, panel.side, panel.side, kInkColour)
-          << '\n';
+    line(R"(<rect x="{}" y="{}" width="{}" height="{}" fill="none" stroke="{}" stroke-width="1"/>)", panel.x,
+         panel.y, panel.side, panel.side, kInkColour);
     if (!quadrants) return;
-    text_ << fmt::format(
-                 R"(<path d="M{} {}v{}M{} {}h{}" stroke="{}" stroke-width="0.7" stroke-dasharray="3 2.5"/>)",
-                 panel.x + half, panel.y, panel.side, panel.x, panel.y + half, panel.side, kQuietColour)
-          << '\n';
+    line(R"(<path d="M{} {}v{}M{} {}h{}" stroke="{}" stroke-width="0.7" stroke-dasharray="3 2.5"/>)",
+         panel.x + half, panel.y, panel.side, panel.x, panel.y + half, panel.side, kQuietColour);
 }
 
 // An upright F when g is the identity; size is its height.
@@ -150,9 +150,8 @@ void Figure::letter_f(const Panel& panel, glm::dvec2 centre, double size, Orient
 }
 
 void Figure::caption(const Panel& panel, std::string_view words) {
-    text_ << fmt::format(R"(<text x="{}" y="{}" font-size="11.5" fill="{}">{}</text>)", panel.x,
-                         panel.y + panel.side + 17, kQuietColour, words)
-          << '\n';
+    line(R"(<text x="{}" y="{}" font-size="11.5" fill="{}">{}</text>)", panel.x, panel.y + panel.side + 17,
+         kQuietColour, words);
 }
 
 void Figure::write_tile(const Panel& panel) {
@@ -201,9 +200,7 @@ void Figure::write_ranks(const Panel& panel) {
     const bool numbers = size() <= kMostNumbers;
     if (numbers) {
         const double font = std::min(0.36 * spacing(panel, size()), 16.0);
-        text_ << fmt::format(R"(<g id="ranks" fill="{}" font-size="{:.2f}" text-anchor="middle">)",
-                             kInkColour, font)
-              << '\n';
+        line(R"(<g id="ranks" fill="{}" font-size="{:.2f}" text-anchor="middle">)", kInkColour, font);
         for (std::size_t i = 0; i < size(); ++i) {
             const glm::dvec2 p = panel.at(points_[i]);
             text_ << R"(<text x=")";
@@ -229,7 +226,7 @@ void Figure::write_ranks(const Panel& panel) {
 
 void Figure::write_first(const Panel& panel, int quarters) {
     const int count = quarters * static_cast<int>(size()) / 4;
-    text_ << fmt::format(R"(<g id="first-{}" fill="{}">)", quarters, kInkColour) << '\n';
+    line(R"(<g id="first-{}" fill="{}">)", quarters, kInkColour);
     for (std::size_t i = 0; i < size(); ++i)
         if (rank_of(i) < count) circle(panel.at(points_[i]), dot_radius(panel, size()));
     text_ << "</g>\n";

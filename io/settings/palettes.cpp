@@ -10,8 +10,8 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
-#include <string>
 
+#include "core/failure.h"
 #include "core/text/shown_text.h"
 #include "io/files/text_file.h"
 #include "io/settings/project.h"
@@ -26,7 +26,7 @@ using Json = nlohmann::json;
 constexpr std::array kFields{"name", "colour", "width_mm", "gap_mm", "gain_mm"};
 
 std::runtime_error wrong(const std::string& field, const std::string& why) {
-    return std::runtime_error(fmt::format("{}: {}", field, why));
+    return failure("{}: {}", field, why);
 }
 
 std::string shown(const Json& value) {
@@ -92,10 +92,10 @@ Palette pens_in(const std::string& text) {
             return true;
         });
     } catch (const Json::parse_error& error) {
-        throw std::runtime_error(
-            fmt::format("is no JSON from byte {} on; write an array of pens, as in "
-                        R"([{{"name": "Sky", "colour": "#3aa0d8", "width_mm": 0.3}}])",
-                        error.byte));
+        throw failure(
+            "is no JSON from byte {} on; write an array of pens, as in "
+            R"([{{"name": "Sky", "colour": "#3aa0d8", "width_mm": 0.3}}])",
+            error.byte);
     } catch (const Json::exception&) {  // a number that is none of this world
         throw std::runtime_error("is no JSON: a number in it is too large");
     }
@@ -107,7 +107,7 @@ Palette pens_in(const std::string& text) {
         try {
             pens.push_back(pen_of(json[i]));
         } catch (const std::runtime_error& error) {
-            throw std::runtime_error(fmt::format("pen {}: {}", i + 1, error.what()));
+            throw failure("pen {}: {}", i + 1, error.what());
         }
     }
     return pens;
@@ -122,10 +122,15 @@ PenChoice read_pens(const std::filesystem::path& file) {
     try {
         return json ? own_pens(pens_in(text)) : parse_pen_list(text);
     } catch (const std::runtime_error& error) {
-        throw std::runtime_error(fmt::format("{}: {}", file.string(), error.what()));
+        throw failure("{}: {}", file.string(), error.what());
     }
 }
 
+namespace {
+
+namespace fs = std::filesystem;
+
+// A file in JSON, of which read_pens() makes these pens again; their colours in 8 bits.
 std::string pens_text(const Palette& pens) {
     std::string text;
     for (const Pen& pen : pens) {
@@ -138,10 +143,6 @@ std::string pens_text(const Palette& pens) {
     }
     return text + "]\n";
 }
-
-namespace {
-
-namespace fs = std::filesystem;
 
 // The common pens of these names, all of that width.
 Palette of_width(double width_mm, std::initializer_list<const char*> names) {
@@ -206,16 +207,16 @@ NamedPalette palette_named(const std::string& name, const fs::path& folder) {
     std::vector<std::string> names;
     for (const NamedPalette& palette : built_in) names.push_back(palette.name);
     std::ranges::copy(own_palettes(folder), std::back_inserter(names));
-    throw std::runtime_error(fmt::format("there is no file or palette \"{}\"; palettes are {}",
-                                         printable(name), fmt::join(names, ", ")));
+    throw failure("there is no file or palette \"{}\"; palettes are {}", printable(name),
+                  fmt::join(names, ", "));
 }
 
 void save_palette(const std::string& name, const Palette& pens, const fs::path& folder) {
     if (!names_a_palette(name))
-        throw std::runtime_error(
-            fmt::format("\"{}\" is no name for a palette; give up to 40 plain letters, digits, spaces and - "
-                        "_ . ( ), and not the name of a set, such as cmyk",
-                        printable(name)));
+        throw failure(
+            "\"{}\" is no name for a palette; give up to 40 plain letters, digits, spaces and - "
+            "_ . ( ), and not the name of a set, such as cmyk",
+            printable(name));
     palette_files(folder).save(name, pens_text(own_pens(pens).own));
 }
 

@@ -22,10 +22,6 @@ namespace dapple {
 /// the pen and the field that is wrong; one that is not known is wrong too.
 PenChoice read_pens(const std::filesystem::path& file);
 
-/// Such a file in JSON, of which read_pens() makes these pens again; their colours in 8 bits. Pens as
-/// own_pens() takes them.
-std::string pens_text(const Palette& pens);
-
 struct NamedPalette {
     std::string name;   // "ballpoints"
     std::string about;  // "four of 0.4 mm"; empty: a person's own

@@ -1,15 +1,12 @@
 #include "io/settings/presets.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <stdexcept>
 
+#include "core/failure.h"
 #include "core/settings/drawing_fields.h"
 #include "core/settings/settings_text.h"
 #include "core/text/shown_text.h"
 #include "io/files/text_file.h"
-#include "io/settings/project.h"
 #include "io/settings/xdg_folders.h"
 
 namespace dapple {
@@ -119,8 +116,7 @@ Preset preset_named(const std::string& name, const fs::path& folder) {
     if (found != built_in.end()) return *found;
     const fs::path file = preset_files(folder).find(name);
     if (file.empty())
-        throw std::runtime_error(
-            fmt::format("there is no preset \"{}\"; `dapple presets` lists them all", printable(name)));
+        throw failure("there is no preset \"{}\"; `dapple presets` lists them all", printable(name));
     Preset preset{name, "", {}};
     read_settings(text_of_settings(file), {file}, all_of_preset(preset.settings));
     return preset;

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "core/failure.h"
 #include "core/output/drawing_format.h"
 #include "core/settings/drawing_fields.h"
 #include "core/text/shown_text.h"
@@ -57,16 +58,13 @@ fs::path NamedFiles::find(const std::string& name) const {
 
 void NamedFiles::save(const std::string& name, const std::string& text) const {
     if (!names_a_file(name))
-        throw std::runtime_error(fmt::format(
+        throw failure(
             "\"{}\" is no name for a {}; give one of 1 to {} letters that has no / and does not begin with a "
             "point",
-            printable(name), what, kLongestName));
+            printable(name), what, kLongestName);
     if (std::ranges::count(built_in, name) > 0)
-        throw std::runtime_error(
-            fmt::format("the {} {} comes with the program and stays; give another name", what, name));
-    if (folder.empty())
-        throw std::runtime_error(
-            fmt::format("there is no home folder to keep {}s in; set HOME to one", what));
+        throw failure("the {} {} comes with the program and stays; give another name", what, name);
+    if (folder.empty()) throw failure("there is no home folder to keep {}s in; set HOME to one", what);
     make_folder(folder);
     save_atomically(path_of(name), [&](std::ostream& out) { out << text; });
 }
@@ -75,8 +73,8 @@ void NamedFiles::remove(const std::string& name) const {
     std::error_code error;
     const bool could = !folder.empty() && names_a_file(name);
     if (!could || !fs::remove(path_of(name), error))
-        throw std::runtime_error(fmt::format("the {} {} cannot be removed, {}", what, printable(name),
-                                             error ? error.message() : "there is none of that name"));
+        throw failure("the {} {} cannot be removed, {}", what, printable(name),
+                      error ? error.message() : "there is none of that name");
 }
 
 namespace {

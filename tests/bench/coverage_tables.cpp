@@ -55,7 +55,7 @@ std::vector<double> coverage(const DotPieces& dots) {
 
 void print_row(const std::vector<double>& row) {
     std::string line;
-    for (const double c : row) line += fmt::format("{}{:.4f}f", line.empty() ? "{" : ", ", c);
+    for (const double c : row) line += fmt::format("{}{:.0f}", line.empty() ? "{" : ", ", 10'000 * c);
     std::puts((line + "},").c_str());
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/tile/tile.h"
+#include "tests/tile_words.h"
 
 using namespace dapple;
 

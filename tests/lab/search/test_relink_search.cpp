@@ -13,6 +13,7 @@
 #include "lab/search/coherent_peaks.h"
 #include "lab/search/relink_search.h"
 #include "lab/search/rule_search.h"
+#include "tests/tile_words.h"
 
 using namespace dapple;
 

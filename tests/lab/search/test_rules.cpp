@@ -12,6 +12,7 @@
 #include "lab/search/rule_search.h"
 #include "lab/search/rules.h"
 #include "lab/search/tile_marks.h"
+#include "tests/tile_words.h"
 
 using namespace dapple;
 
