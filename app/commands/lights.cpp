@@ -21,7 +21,7 @@
 #include "io/available_memory.h"
 #include "io/command_line/files_in_use.h"
 #include "io/command_line/options.h"
-#include "io/command_line/remarks.h"
+#include "io/command_line/program.h"
 #include "io/files/atomic_file.h"
 #include "io/files/environment_file.h"
 #include "io/files/save_lights.h"

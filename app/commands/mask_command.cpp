@@ -22,7 +22,7 @@
 #include "core/text/number_words.h"
 #include "io/command_line/files_in_use.h"
 #include "io/command_line/options.h"
-#include "io/command_line/remarks.h"
+#include "io/command_line/program.h"
 #include "io/files/atomic_file.h"
 #include "io/files/picture.h"
 #include "io/files/png_file.h"

@@ -15,7 +15,7 @@
 #include "core/drawing/settings.h"
 #include "io/command_line/files_in_use.h"
 #include "io/command_line/options.h"
-#include "io/command_line/remarks.h"
+#include "io/command_line/program.h"
 #include "io/files/picture.h"
 #include "io/files/save_drawing.h"
 #include "io/files/tile_library.h"

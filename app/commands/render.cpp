@@ -23,7 +23,7 @@
 #include "core/text/number_words.h"
 #include "core/text/shown_text.h"
 #include "io/available_memory.h"
-#include "io/command_line/remarks.h"
+#include "io/command_line/program.h"
 #include "io/files/atomic_file.h"
 #include "io/files/file_size.h"
 #include "io/files/pdf_file.h"

@@ -9,7 +9,7 @@
 #include "core/settings/drawing_fields.h"
 #include "core/text/shown_text.h"
 #include "io/command_line/options.h"
-#include "io/command_line/remarks.h"
+#include "io/command_line/program.h"
 #include "io/files/gcode_template.h"
 #include "io/settings/presets.h"
 

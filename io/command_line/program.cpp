@@ -1,8 +1,9 @@
 #include "io/command_line/program.h"
 
+#include <fmt/format.h>
+
 #include <sys/ioctl.h>
 #include <unistd.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
@@ -22,6 +23,16 @@
 #include "io/signals.h"
 
 namespace dapple {
+
+void print_remark(const std::filesystem::path& file, const std::string& remark) {
+    if (!remark.empty()) fmt::print(stderr, "dapple: {}: {}\n", printable(file.string()), remark);
+}
+
+Picture read_with_remark(const std::filesystem::path& file, PictureLimit limit, PictureColours colours) {
+    Picture picture = read_picture(file, limit, colours);
+    print_remark(file, picture.remark);
+    return picture;
+}
 
 namespace {
 

@@ -3,12 +3,24 @@
 
 #include <CLI/CLI.hpp>
 #include <cstddef>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
 
+#include "io/files/picture.h"
+
 namespace dapple {
+
+// What people should know of how a picture was read, on the standard error.
+
+/// "dapple: cat.exr: the file has ..."; nothing where there is no remark.
+void print_remark(const std::filesystem::path& file, const std::string& remark);
+
+/// The same as read_picture(), and prints what there is to remark on.
+Picture read_with_remark(const std::filesystem::path& file, PictureLimit limit = PictureLimit::usual,
+                         PictureColours colours = PictureColours::left_out);
 
 // Help whose lines end at the terminal's edge, between words.
 

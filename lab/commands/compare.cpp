@@ -19,7 +19,7 @@
 #include "core/image/tone.h"
 #include "io/command_line/files_in_use.h"
 #include "io/command_line/options.h"
-#include "io/command_line/remarks.h"
+#include "io/command_line/program.h"
 #include "io/files/atomic_file.h"
 #include "io/files/picture.h"
 #include "io/files/text_file.h"

@@ -15,7 +15,7 @@
 
 #include "io/command_line/files_in_use.h"
 #include "io/command_line/options.h"
-#include "io/command_line/remarks.h"
+#include "io/command_line/program.h"
 #include "io/files/atomic_file.h"
 #include "io/files/text_file.h"
 #include "io/film/save_film.h"
