@@ -19,7 +19,6 @@
 #include "core/text/shown_text.h"
 #include "core/tile/ranking.h"
 #include "io/available_memory.h"
-#include "io/command_line/files_in_use.h"
 #include "io/command_line/options.h"
 #include "io/command_line/program.h"
 #include "io/files/atomic_file.h"

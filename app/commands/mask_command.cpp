@@ -20,7 +20,6 @@
 #include "core/screening/threshold_mask.h"
 #include "core/screening/void_and_cluster.h"
 #include "core/text/number_words.h"
-#include "io/command_line/files_in_use.h"
 #include "io/command_line/options.h"
 #include "io/command_line/program.h"
 #include "io/files/atomic_file.h"

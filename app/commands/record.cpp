@@ -13,7 +13,6 @@
 
 #include "app/commands/settings_options.h"
 #include "core/drawing/settings.h"
-#include "io/command_line/files_in_use.h"
 #include "io/command_line/options.h"
 #include "io/command_line/program.h"
 #include "io/files/picture.h"

@@ -25,7 +25,7 @@
 #include "core/drawing/gcode_choice.h"
 #include "core/failure.h"
 #include "core/text/number_words.h"
-#include "io/command_line/files_in_use.h"
+#include "io/command_line/program.h"
 #include "io/command_line/options.h"
 #include "io/files/atomic_file.h"
 #include "io/files/save_drawing.h"

@@ -16,7 +16,7 @@
 #include "core/output/test_sheet.h"
 #include "core/text/number_words.h"
 #include "core/text/shown_text.h"
-#include "io/command_line/files_in_use.h"
+#include "io/command_line/program.h"
 #include "io/command_line/options.h"
 #include "io/files/atomic_file.h"
 #include "io/files/save_drawing.h"

@@ -13,7 +13,7 @@
 
 #include "core/tile/ranking.h"
 #include "core/tile/tile.h"
-#include "io/command_line/files_in_use.h"
+#include "io/command_line/program.h"
 #include "io/command_line/options.h"
 #include "io/files/atomic_file.h"
 #include "io/files/text_file.h"

@@ -19,7 +19,7 @@
 #include "core/drawing/settings.h"
 #include "core/text/number_words.h"
 #include "io/available_memory.h"
-#include "io/command_line/files_in_use.h"
+#include "io/command_line/program.h"
 #include "io/command_line/options.h"
 #include "io/files/atomic_file.h"
 #include "io/files/picture.h"

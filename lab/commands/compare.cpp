@@ -17,7 +17,6 @@
 #include <vector>
 
 #include "core/image/tone.h"
-#include "io/command_line/files_in_use.h"
 #include "io/command_line/options.h"
 #include "io/command_line/program.h"
 #include "io/files/atomic_file.h"

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "core/text/shown_text.h"
-#include "io/command_line/files_in_use.h"
+#include "io/command_line/program.h"
 #include "io/files/atomic_file.h"
 #include "io/reports/html.h"
 #include "lab/reproduce/figures.h"

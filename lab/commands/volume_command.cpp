@@ -13,7 +13,6 @@
 #include <string>
 #include <vector>
 
-#include "io/command_line/files_in_use.h"
 #include "io/command_line/options.h"
 #include "io/command_line/program.h"
 #include "io/files/atomic_file.h"
