@@ -11,7 +11,7 @@
 #include "core/failure.h"
 #include "core/text/length.h"
 #include "core/text/number_words.h"
-#include "core/text/xml_text.h"
+#include "core/text/text_lines.h"
 
 namespace dapple {
 

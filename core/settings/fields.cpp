@@ -14,7 +14,7 @@
 #include "core/image/colour.h"
 #include "core/text/number_words.h"
 #include "core/text/shown_text.h"
-#include "core/text/xml_text.h"
+#include "core/text/text_lines.h"
 #include "core/tile/tile_file.h"
 
 namespace dapple {

@@ -7,7 +7,6 @@
 #include <stdexcept>
 
 #include "core/text/text_lines.h"
-#include "core/text/xml_text.h"
 #include "dapple_assets_embedded/tile_assets.h"
 
 namespace dapple {

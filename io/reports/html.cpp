@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "core/text/xml_text.h"
+#include "core/text/text_lines.h"
 
 namespace dapple {
 namespace {

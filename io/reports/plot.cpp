@@ -8,7 +8,7 @@
 #include <iterator>
 
 #include "core/image/colour.h"
-#include "core/text/xml_text.h"
+#include "core/text/text_lines.h"
 
 namespace dapple {
 namespace {

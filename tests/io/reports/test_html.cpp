@@ -4,7 +4,7 @@
 #include <pugixml.hpp>
 #include <string>
 
-#include "core/text/xml_text.h"
+#include "core/text/text_lines.h"
 #include "io/reports/html.h"
 #include "io/reports/plot.h"
 
