@@ -10,7 +10,7 @@
 #include "core/text/shown_text.h"
 #include "io/command_line/options.h"
 #include "io/command_line/program.h"
-#include "io/files/gcode_template.h"
+#include "io/files/text_file.h"
 #include "io/settings/presets.h"
 
 namespace dapple {

@@ -5,9 +5,15 @@
 #include <filesystem>
 #include <string>
 
+#include "core/drawing/settings.h"
 #include "io/files/picture.h"
 
 namespace dapple {
+
+// A person's own template for G-code, out of a file.
+
+/// Throws std::runtime_error naming the file, and the line that is wrong.
+OwnTemplate read_gcode_template(const std::filesystem::path& file);
 
 // The standard input as a picture.
 

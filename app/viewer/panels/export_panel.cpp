@@ -16,7 +16,7 @@
 #include "app/viewer/widgets/row.h"
 #include "app/viewer/widgets/widgets.h"
 #include "core/text/shown_text.h"
-#include "io/files/gcode_template.h"
+#include "io/files/text_file.h"
 
 namespace dapple {
 namespace {
