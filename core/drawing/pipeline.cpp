@@ -6,7 +6,6 @@
 #include <numbers>
 #include <utility>
 
-#include "core/drawing/inked_picture.h"
 #include "core/drawing/relaxed_stream.h"
 #include "core/image/auto_tone.h"
 #include "core/image/detail.h"

@@ -10,7 +10,6 @@
 
 #include "core/drawing/drawing.h"
 #include "core/drawing/gcode_choice.h"
-#include "core/drawing/inked_picture.h"
 #include "core/output/ink.h"
 #include "core/output/pen_figures.h"
 #include "core/output/plotting_time.h"
@@ -46,7 +45,7 @@ namespace {
 // Lines and solid blacks on a part of the page: filled where dots are filled circles or pixels, else drawn by
 // the darkest pen.
 DrawnInking inking_on(const Excerpt& excerpt, const DrawingPlan& plan, const DrawingFile& file) {
-    DrawnInking drawn{.shapes = {}, .strokes = {}, .pen = pen_for_inking(plan.pens)};
+    DrawnInking drawn{.shapes = {}, .strokes = {}, .pen = darkest_of(plan.pens)};
     const double unit = excerpt.size.mm_per_page_unit;
     const glm::dvec2 corner = corner_of(excerpt);
     const glm::dvec2 size = glm::dvec2(excerpt.size.width_mm, excerpt.size.height_mm) / unit;

@@ -44,6 +44,19 @@ struct DrawnInking {
     bool empty() const { return shapes.empty() && strokes.points.empty(); }
 };
 
+/// The negative, in encoded values, for light ink.
+Grid<float> negative(Grid<float> light);
+
+/// Those of the lines that a strength of 0..1 shows, the weaker ones thinner.
+std::vector<InkLine> lines_shown(const std::vector<InkLine>& lines, double contours);
+
+/// What of an inking's lines lies where the picture is drawn: where `kept`, a grid over the picture, is 0.5
+/// or more.
+Inking within(Inking inking, const Grid<float>& kept);
+
+/// The density with that room in it: see room_for_dots().
+Density with_room(const Density& density, const Grid<float>& room);
+
 /// The dots that the inking lies among, in page units.
 struct DotsAmongLines {
     double radius = 0;   // of the largest

@@ -253,4 +253,9 @@ std::string text_of(const PenChoice& choice) {
     return text;
 }
 
+int darkest_of(std::span<const Pen> pens) {
+    const auto light = [](const Pen& pen) { return luminance(linear_of(pen.colour)); };
+    return pens.empty() ? 0 : static_cast<int>(std::ranges::min_element(pens, {}, light) - pens.begin());
+}
+
 }  // namespace dapple

@@ -112,4 +112,7 @@ DAPPLE_API PenChoice own_pens(Palette pens);
 /// The same text again.
 DAPPLE_API std::string text_of(const PenChoice& choice);
 
+/// The place of the darkest pen among them, 0 if there are none.
+int darkest_of(std::span<const Pen> pens);
+
 }  // namespace dapple

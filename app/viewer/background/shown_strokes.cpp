@@ -4,7 +4,6 @@
 #include <glm/common.hpp>
 #include <utility>
 
-#include "core/drawing/inked_picture.h"
 #include "core/placing/dot_stream.h"
 #include "core/routing/short_way.h"
 
@@ -85,7 +84,7 @@ ShownStrokes shown_inking(const Inking& inking, std::span<const Pen> pens, glm::
     }
     const glm::vec2 from(corner);
     for (glm::vec4& line : shown.lines) line -= glm::vec4(from, from);
-    if (!pens.empty()) shown.pens.assign(shown.lines.size(), static_cast<std::uint8_t>(pen_for_inking(pens)));
+    if (!pens.empty()) shown.pens.assign(shown.lines.size(), static_cast<std::uint8_t>(darkest_of(pens)));
     return shown;
 }
 
