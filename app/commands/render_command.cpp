@@ -22,7 +22,7 @@
 #include "app/commands/render_report.h"
 #include "app/commands/settings_options.h"
 #include "core/drawing/drawing_figures.h"
-#include "core/drawing/gcode_choice.h"
+#include "core/drawing/write_drawing.h"
 #include "core/failure.h"
 #include "core/text/number_words.h"
 #include "io/command_line/program.h"

@@ -10,7 +10,7 @@
 #include <memory>
 
 #include "app/commands/settings_options.h"
-#include "core/drawing/gcode_choice.h"
+#include "core/drawing/write_drawing.h"
 #include "core/drawing/settings.h"
 #include "core/output/pen_figures.h"
 #include "core/output/test_sheet.h"

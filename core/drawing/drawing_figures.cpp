@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/drawing/gcode_choice.h"
+#include "core/drawing/write_drawing.h"
 #include "core/output/gcode.h"
 
 namespace dapple {

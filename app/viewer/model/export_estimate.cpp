@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "core/drawing/drawing_figures.h"
-#include "core/drawing/gcode_choice.h"
 #include "core/drawing/write_drawing.h"
 #include "core/output/pen_figures.h"
 #include "core/routing/short_way.h"

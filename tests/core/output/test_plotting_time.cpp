@@ -15,7 +15,6 @@
 #include <string>
 #include <vector>
 
-#include "core/drawing/gcode_choice.h"
 #include "core/drawing/write_drawing.h"
 #include "core/output/pen_figures.h"
 #include "core/output/plotting_time.h"

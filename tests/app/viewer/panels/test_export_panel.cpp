@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/viewer/panels/export_panel.h"
-#include "core/drawing/gcode_choice.h"
+#include "core/drawing/write_drawing.h"
 #include "tests/file_text.h"
 #include "tests/headless_ui.h"
 #include "tests/temporary_folder.h"
