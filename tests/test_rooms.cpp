@@ -71,24 +71,24 @@ TEST_CASE("each room of core knows only the rooms below it") {
         {"core/maths", {}},
         {"core/image", {}},
         {"core/text", {}},
-        {"core/lines", {"core/image"}},
         {"core/tile", {"core/text"}},
         {"core/placing", {"core/image", "core/text", "core/tile"}},
         {"core/relaxing", {"core/image", "core/placing"}},
         {"core/routing", {"core/placing"}},
         {"core/strokes", {"core/image", "core/placing", "core/routing", "core/text"}},
+        {"core/lines", {"core/image", "core/strokes"}},
         {"core/pens", {"core/image", "core/placing", "core/relaxing", "core/routing", "core/text"}},
         {"core/drawing",
-         {"core/analysis", "core/image", "core/output", "core/pens", "core/placing", "core/relaxing",
-          "core/routing", "core/strokes", "core/text", "core/tile"}},
+         {"core/analysis", "core/image", "core/lines", "core/output", "core/pens", "core/placing",
+          "core/relaxing", "core/routing", "core/strokes", "core/text", "core/tile"}},
         {"core/settings",
          {"core/drawing", "core/image", "core/output", "core/relaxing", "core/text", "core/tile"}},
         {"core/analysis", {"core/image", "core/text"}},
         {"core/lights", {"core/image", "core/placing", "core/text", "core/tile"}},
         {"core/screening", {"core/image", "core/placing", "core/tile"}},
         {"core/output",
-         {"core/analysis", "core/image", "core/pens", "core/placing", "core/routing", "core/strokes",
-          "core/text"}},
+         {"core/analysis", "core/image", "core/lines", "core/pens", "core/placing", "core/routing",
+          "core/strokes", "core/text"}},
     };
     const std::vector<Include> includes = includes_below("core");
     REQUIRE(includes.size() > 50);
@@ -102,8 +102,8 @@ TEST_CASE("each room of io knows core and the rooms of io below it") {
         {"io/decoding", {"core/image", "core/text", "io"}},
         // What is written, and what is read; PDF, PNG and TIFF are written here, where their libraries are.
         {"io/files",
-         {"core/drawing", "core/image", "core/lights", "core/output", "core/pens", "core/placing",
-          "core/strokes", "core/text", "core/tile", "io", "io/decoding"}},
+         {"core/drawing", "core/image", "core/lights", "core/lines", "core/output", "core/pens",
+          "core/placing", "core/strokes", "core/text", "core/tile", "io", "io/decoding"}},
         // A film shows dots and strokes come, in the order of a plot.
         {"io/film",
          {"core/drawing", "core/image", "core/output", "core/placing", "core/routing", "core/strokes",
@@ -169,8 +169,8 @@ TEST_CASE("each room of the program knows of core no more than its subject needs
           "core/text"}},
         // Drawings as they are asked for and placed.
         {"app/viewer/background",
-         {"core/drawing", "core/image", "core/pens", "core/placing", "core/routing", "core/strokes",
-          "core/text", "core/tile"}},
+         {"core/drawing", "core/image", "core/lines", "core/pens", "core/placing", "core/routing",
+          "core/strokes", "core/text", "core/tile"}},
         // How many dots fit into memory.
         {"app/viewer/desktop", {"core/drawing"}},
         // What of a drawing is seen, and what is measured of that.

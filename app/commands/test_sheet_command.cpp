@@ -10,14 +10,14 @@
 #include <memory>
 
 #include "app/commands/settings_options.h"
-#include "core/drawing/write_drawing.h"
 #include "core/drawing/settings.h"
+#include "core/drawing/write_drawing.h"
 #include "core/output/pen_figures.h"
 #include "core/output/test_sheet.h"
 #include "core/text/number_words.h"
 #include "core/text/shown_text.h"
-#include "io/command_line/program.h"
 #include "io/command_line/options.h"
+#include "io/command_line/program.h"
 #include "io/files/atomic_file.h"
 #include "io/files/save_drawing.h"
 

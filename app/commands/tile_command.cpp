@@ -13,8 +13,8 @@
 
 #include "core/tile/ranking.h"
 #include "core/tile/tile.h"
-#include "io/command_line/program.h"
 #include "io/command_line/options.h"
+#include "io/command_line/program.h"
 #include "io/files/atomic_file.h"
 #include "io/files/text_file.h"
 #include "io/files/tile_library.h"

@@ -86,8 +86,8 @@ struct DrawingToSave {
 DotMark mark_in(const DrawingFile& file);
 
 /// What a pen draws of the dots in the order given; none where they are filled circles, and of tables, which
-/// have dots alone. With lines and solid blacks where a pen draws these too. Lines from dot to dot are held in
-/// memory; the drawing has to outlive the stream.
+/// have dots alone. With lines and solid blacks where a pen draws these too. Lines from dot to dot are held
+/// in memory; the drawing has to outlive the stream.
 std::optional<StrokeStream> strokes_of(const DrawingToSave& drawing);
 
 /// The order of its dots in the file: the one asked for, or usual_order().

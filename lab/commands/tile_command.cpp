@@ -17,8 +17,8 @@
 
 #include "core/text/names.h"
 #include "core/text/shown_text.h"
-#include "io/command_line/program.h"
 #include "io/command_line/options.h"
+#include "io/command_line/program.h"
 #include "io/files/atomic_file.h"
 #include "io/files/text_file.h"
 #include "io/files/tile_library.h"

@@ -37,7 +37,7 @@ struct InkToDraw {
     const DotPieces* dots = nullptr;
     const ShownStrokes* strokes = nullptr;
     const ShownStrokes* inking = nullptr;  // beside either
-    std::span<const DotBlock> blocks;  // of either
+    std::span<const DotBlock> blocks;      // of either
     RasterLook look;
     std::size_t every = 1;  // one in so many lines is drawn
 };
