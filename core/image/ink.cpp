@@ -16,7 +16,7 @@ namespace {
 // Rows of coverage in ten-thousandths at loads 0, 0.1, ...: bench/coverage_tables prints them.
 constexpr float kLoadStep = 0.1f;
 constexpr std::size_t kLoads = 23;
-constexpr float kWhole = 10'000;
+constexpr float kPartsOfOne = 10'000;
 using Row = std::array<std::uint16_t, kLoads>;
 
 // As placed and after 1 to 4 steps, at eighths of the way from one full level to the next.
@@ -132,7 +132,7 @@ constexpr std::array<double, 5> kFullLoads{2.05, 1.7, 1.6, 1.5, 1.45};  // after
 float between(const Row& row, float load) {
     const float at = std::clamp(load / kLoadStep, 0.0f, static_cast<float>(kLoads - 1));
     const auto i = std::min(static_cast<std::size_t>(at), kLoads - 2);
-    const float from = row[i] / kWhole, to = row[i + 1] / kWhole;
+    const float from = row[i] / kPartsOfOne, to = row[i + 1] / kPartsOfOne;
     return from + (to - from) * (at - static_cast<float>(i));
 }
 
