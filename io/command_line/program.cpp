@@ -278,9 +278,13 @@ int run(CLI::App& program, int argc, char** argv, const int& status, const bool&
 
 }  // namespace
 
+std::shared_ptr<CLI::FormatterBase> wrapped_help() {
+    return std::make_shared<WrappedHelp>();
+}
+
 int run_program(CLI::App& program, int argc, char** argv, const int& status,
                 const std::function<void()>& before) {
-    program.formatter(std::make_shared<WrappedHelp>());
+    program.formatter(wrapped_help());
     const Command complete = add_complete_command(program);
     program.add_subcommand("manual", "The manual page, for man")->group("")->callback([&program] {
         write_manual(std::cout, program);

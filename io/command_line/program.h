@@ -52,6 +52,9 @@ using Command = std::shared_ptr<const void>;
 /// know no option themselves.
 [[nodiscard]] Command add_complete_command(CLI::App& program);
 
+/// Help whose lines are wrapped on a terminal alone: programs and files get each of them whole.
+std::shared_ptr<CLI::FormatterBase> wrapped_help();
+
 /// Parses the command line and runs its command, or the program's own callback without one. Two commands that
 /// help does not show are added: `complete`, and `manual`, which writes the page for man(1): the help of all
 /// others. What is wrong is one sentence on the standard error, behind the program's name. Returns 0 if all

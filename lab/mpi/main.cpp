@@ -51,7 +51,7 @@ int run(CLI::App& program, const std::vector<std::string>& words, const bool& pa
 int main(int argc, char** argv) {
     MPI_Init(&argc, &argv);
     CLI::App program{"Work that dapple-lab shares among the ranks of an MPI job.", "dapple-mpi"};
-    program.formatter(std::make_shared<WrappedHelp>());
+    program.formatter(wrapped_help());
     program.require_subcommand(1);
     program.footer(
         "Options are those of `dapple-lab tile search`. Murals and batches are shared without it: mpirun "

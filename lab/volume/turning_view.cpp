@@ -17,12 +17,12 @@ namespace {
 
 constexpr int kParts = 4;   // of a pixel's side, for soft edges: a bit each in a mask
 constexpr int kPhases = 8;  // places within a pixel's side that balls' middles are rounded to
-constexpr std::uint16_t kAll = 0xffff, kWhite = 4095;  // of light: sixteen times as much is a pixel's
-constexpr float kNear = 0.1f, kFar = 0.88f;            // of the way to the paper, in roots of light
+constexpr std::uint16_t kAll = 0xffff, kFullLight = 4095;  // of light: sixteen times as much is a pixel's
+constexpr float kNear = 0.1f, kFar = 0.88f;                // of the way to the paper, in roots of light
 
 // What a ball covers of a pixel, and how much of the light that it mirrors comes from there.
 struct Covered {
-    std::uint16_t mask = 0, gloss = 0;  // of kWhite
+    std::uint16_t mask = 0, gloss = 0;  // of kFullLight
 };
 
 // Balls of one radius: for each place within a pixel a square of pixels.
@@ -60,7 +60,7 @@ class Stamps {
         const double front = std::sqrt(std::max(0.0, 1 - x * x - y * y));
         const double lit = std::max(0.0, -0.46 * x - 0.56 * y + 0.69 * front);
         const double room = std::clamp((radius - 1.5) / 4, 0.0, 1.0);
-        pixel.gloss = static_cast<std::uint16_t>(kWhite * room * (0.16 * lit + 0.55 * std::pow(lit, 14)));
+        pixel.gloss = static_cast<std::uint16_t>(kFullLight * room * (0.16 * lit + 0.55 * std::pow(lit, 14)));
         return pixel;
     }
 
@@ -132,7 +132,7 @@ void stamp(Grid<Layers>& layers, const Seen& ball, const Stamps& stamps, const g
             pixel.mask |= added;
             const int parts = std::popcount(added);
             for (int i = 0; i < 3; ++i) {
-                const float own = light[i] + (kWhite - light[i]) * (here.gloss / float{kWhite});
+                const float own = light[i] + (kFullLight - light[i]) * (here.gloss / float{kFullLight});
                 pixel.light[static_cast<std::size_t>(i)] +=
                     static_cast<std::uint16_t>(parts * static_cast<int>(own));
             }
@@ -141,10 +141,10 @@ void stamp(Grid<Layers>& layers, const Seen& ball, const Stamps& stamps, const g
 }
 
 std::vector<std::uint8_t> encoded_sums() {
-    std::vector<std::uint8_t> encoded(kParts * kParts * kWhite + 1);
+    std::vector<std::uint8_t> encoded(kParts * kParts * kFullLight + 1);
     for (std::size_t sum = 0; sum < encoded.size(); ++sum)
         encoded[sum] = static_cast<std::uint8_t>(
-            std::lround(255 * linear_to_srgb(static_cast<float>(sum) / (kParts * kParts * kWhite))));
+            std::lround(255 * linear_to_srgb(static_cast<float>(sum) / (kParts * kParts * kFullLight))));
     return encoded;
 }
 
@@ -169,12 +169,12 @@ Grid<glm::u8vec3> turned_view(std::span<const Ball> balls, const TurnedView& vie
         const double radius = std::max(0.6, std::min(ball.radius * pixels, view.side / 30.0));
         const float faded = glm::mix(kNear, kFar, (each.depth - nearest) / range);
         const glm::vec3 root = glm::mix(ball.ink, glm::vec3(1), faded);
-        stamp(layers, each, stamps_of(radius, made), root * root * float{kWhite});
+        stamp(layers, each, stamps_of(radius, made), root * root * float{kFullLight});
     }
     Grid<glm::u8vec3> picture(view.side, view.side);
     std::ranges::transform(layers.values, picture.values.begin(), [](const Layers& pixel) {
         if (!pixel.mask) return glm::u8vec3(255);
-        const int paper = kWhite * (kParts * kParts - std::popcount(pixel.mask));
+        const int paper = kFullLight * (kParts * kParts - std::popcount(pixel.mask));
         return glm::u8vec3(encoded[pixel.light[0] + paper], encoded[pixel.light[1] + paper],
                            encoded[pixel.light[2] + paper]);
     });
