@@ -15,7 +15,6 @@
 #include <optional>
 #include <stdexcept>
 #include <stop_token>
-#include <string>
 #include <system_error>
 #include <thread>
 #include <utility>

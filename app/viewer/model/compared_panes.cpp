@@ -4,7 +4,6 @@
 #include <cmath>
 #include <exception>
 #include <glm/common.hpp>
-#include <utility>
 #include <variant>
 
 namespace dapple {

@@ -1,6 +1,5 @@
 #include "app/viewer/model/pane.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 

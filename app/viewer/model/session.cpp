@@ -6,11 +6,8 @@
 #include <memory>
 #include <stdexcept>
 #include <system_error>
-#include <utility>
 
 #include "app/viewer/desktop/pasted_picture.h"
-#include "app/viewer/model/history.h"
-#include "app/viewer/model/viewer_settings.h"
 #include "core/drawing/write_drawing.h"
 #include "core/settings/fields.h"
 #include "core/text/shown_text.h"
@@ -23,7 +20,6 @@
 #include "io/files/tile_library.h"
 #include "io/film/save_film.h"
 #include "io/settings/presets.h"
-#include "io/settings/project.h"
 
 namespace dapple {
 namespace {

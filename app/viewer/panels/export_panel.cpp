@@ -1,16 +1,13 @@
 #include "app/viewer/panels/export_panel.h"
 
 #include <fmt/format.h>
-#include <imgui.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <optional>
 #include <stdexcept>
-#include <string>
 #include <system_error>
 
 #include "app/viewer/widgets/row.h"

@@ -6,7 +6,6 @@
 #include <functional>
 #include <glm/vec2.hpp>
 #include <span>
-#include <string>
 #include <utility>
 #include <vector>
 

@@ -8,7 +8,7 @@
 
 #include "app/viewer/widgets/theme.h"
 #include "app/viewer/widgets/widgets.h"
-#include "core/text/shown_text.h"
+#include "core/text/number_words.h"
 
 namespace dapple {
 namespace {

@@ -8,14 +8,11 @@
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <utility>
 
 #include "app/viewer/desktop/pasted_picture.h"
 #include "app/viewer/model/session.h"
 #include "app/viewer/model/tile_choices.h"
 #include "app/viewer/panels/window_panels.h"
-#include "app/viewer/shell/asking.h"
-#include "core/text/shown_text.h"
 #include "io/files/tile_library.h"
 #include "io/settings/xdg_folders.h"
 
