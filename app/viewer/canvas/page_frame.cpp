@@ -34,14 +34,11 @@ bool draw_split_divider(float& share, const CanvasPlace& place) {
     const float unit = ImGui::GetFontSize() / 15, grip = kGrip * unit;
     const float least = std::min(3 * grip / std::max(place.size.x, 1.0f), 0.5f);
     const float x = place.corner.x + place.size.x * std::clamp(share, least, 1 - least);
-    ImGui::SetNextWindowPos({std::round(x) - grip, place.corner.y});
-    ImGui::SetNextWindowSize({2 * grip, std::max(place.size.y, 1.0f)});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
-    ImGui::Begin("##divider", nullptr,
-                 kNeverAsksForFocus | ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                     ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoNav |
-                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse);
+    begin_bare("##divider", {std::round(x) - grip, place.corner.y}, {2 * grip, place.size.y},
+               ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoNav |
+                   ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse);
     press_area("##grip", {2 * grip, place.size.y});
     note_place("Divider");
     const bool held = ImGui::IsItemActive(), hot = held || ImGui::IsItemHovered();

@@ -195,6 +195,13 @@ Greyed::~Greyed() {
              TipPlace{{end.x, top_}});
 }
 
+void begin_bare(const char* name, ImVec2 corner, ImVec2 size, ImGuiWindowFlags more) {
+    ImGui::SetNextWindowPos(corner);
+    ImGui::SetNextWindowSize({std::max(size.x, 1.0f), std::max(size.y, 1.0f)});
+    ImGui::Begin(name, nullptr,
+                 kNeverAsksForFocus | ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | more);
+}
+
 void go_on_at(ImVec2 place) {
     ImGui::SetCursorScreenPos(place);
     ImGui::Dummy({0, 0});

@@ -150,6 +150,9 @@ class Greyed {
 /// which a dialog opens, ends the program by an assertion of ImGui's.
 inline constexpr ImGuiWindowFlags kNeverAsksForFocus = ImGuiWindowFlags_NoFocusOnAppearing;
 
+/// ImGui::Begin() of a bare window that stays at its place, at least a pixel large.
+void begin_bare(const char* name, ImVec2 corner, ImVec2 size, ImGuiWindowFlags more = 0);
+
 /// A place that can be pressed, drawn by others; at least a pixel large, as ImGui insists, however small the
 /// window is.
 bool press_area(const char* name, ImVec2 size);
