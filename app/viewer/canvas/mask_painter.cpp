@@ -99,7 +99,7 @@ void MaskPainter::draw(const Mask& mask, const MaskBrush& tool, const PlacedDraw
     }
     if (stroke_ || (!ImGui::GetIO().WantCaptureMouse && place.holds(ImGui::GetIO().MousePos))) {
         const double units =
-            tool.brush.radius * longer_of(shown.plan.opened) / longer_of(shown.plan.framing.size());
+            tool.brush.radius * (longer_of(shown.plan.opened) / longer_of(shown.plan.framing.size()));
         const auto radius = static_cast<float>(units * camera.pixels_per_unit / place.pixels_per_point.x);
         const ImVec2 centre = ImGui::GetIO().MousePos;
         const float unit = ImGui::GetFontSize() / 15;
