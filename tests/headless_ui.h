@@ -13,6 +13,32 @@
 
 namespace dapple {
 
+// Input, between frames, as the window gives it.
+
+inline void put_key(Key key, bool down) {
+#if IMGUI_VERSION_NUM < 18700
+    ImGui::GetIO().KeysDown[key_code(key)] = down;
+#else
+    ImGui::GetIO().AddKeyEvent(key_code(key), down);
+#endif
+}
+
+inline void put_mouse_position(float x, float y) {
+#if IMGUI_VERSION_NUM < 18700
+    ImGui::GetIO().MousePos = {x, y};
+#else
+    ImGui::GetIO().AddMousePosEvent(x, y);
+#endif
+}
+
+inline void put_mouse_button(int button, bool down) {
+#if IMGUI_VERSION_NUM < 18700
+    ImGui::GetIO().MouseDown[button] = down;
+#else
+    ImGui::GetIO().AddMouseButtonEvent(button, down);
+#endif
+}
+
 class HeadlessUi {
  public:
     /// `draw` draws the panel; it is called once a frame.

@@ -62,13 +62,14 @@ TEST_CASE("core, io and app have at most so many lines and files, and the labora
 TEST_CASE("gamma passes at most so many types from its slider to the screen") {
     // In the order in which they are passed. A type that is gone is taken off the list.
     constexpr std::array kPassed{
-        "Setting",    "Tone",           "DrawingSettings", "ViewerSettings", "Session",     "History",
-        "Pane",       "RequestAgain",   "DotsRequest",     "DensityChoice",  "Worker",      "Workbench",
-        "Pipeline",   "DrawingPlan",    "ColourTone",      "InkCurve",       "InkedDots",   "PageLayout",
-        "Density",    "BlurredDensity", "PlannedDrawing",  "PlacingRequest", "Placer",      "PlacedCount",
-        "DotPieces",  "Dots",           "RelaxingRequest", "Relaxation",     "WarpRequest", "PlacedDrawing",
-        "DotsPlaced", "DotBlock",       "DotOrigins",      "Canvas",         "PictureView", "Renderer"};
-    CHECK(kPassed.size() <= 36);
+        "Setting",         "Tone",       "DrawingSettings", "ViewerSettings", "Session",
+        "History",         "Pane",       "DotsRequest",     "DensityChoice",  "Worker",
+        "Workbench",       "Pipeline",   "DrawingPlan",     "ColourTone",     "InkCurve",
+        "InkedDots",       "PageLayout", "Density",         "BlurredDensity", "PlannedDrawing",
+        "PlacingRequest",  "Placer",     "PlacedCount",     "DotPieces",      "Dots",
+        "RelaxingRequest", "Relaxation", "WarpRequest",     "PlacedDrawing",  "DotsPlaced",
+        "DotBlock",        "DotOrigins", "Canvas",          "PictureView",    "Renderer"};
+    CHECK(kPassed.size() <= 35);
     std::set<std::string> declared;
     const std::regex declaration("(?:struct|class|enum class) (\\w+)(?: final)?(?: : .*)? \\{.*");
     read_sources({"core", "app"}, [&](const std::string& line) {

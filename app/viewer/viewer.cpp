@@ -1,6 +1,5 @@
 #include "app/viewer/viewer.h"
 
-#include <filesystem>
 #include <memory>
 
 #include "app/viewer/shell/drawing_document.h"

@@ -15,7 +15,6 @@
 #include <optional>
 #include <stdexcept>
 #include <stop_token>
-#include <string>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -42,9 +41,18 @@ class Background {
 
         const std::stop_token& stop() const { return stop_; }
         /// Passes on a result before the last.
-        void publish(Result result) const { owner_.publish(std::move(result)); }
+        void publish(Result result) const {
+            owner_.add(std::move(result));
+            owner_.wake_();
+        }
         /// How far the work is, 0..1; below 0: not known. Wakes whoever waits at each hundredth.
-        void report_share(double share) const { owner_.report_share(share); }
+        void report_share(double share) const {
+            // The window draws a frame for each step.
+            const auto now = static_cast<float>(share);
+            if (share < 1 && now < owner_.share_ + 0.01f) return;
+            owner_.share_ = now;
+            owner_.wake_();
+        }
         /// The same for those who write it themselves, and wake nobody.
         std::atomic<float>& share() const { return owner_.share_; }
 
@@ -142,24 +150,11 @@ class Background {
         changed_.notify_all();
     }
 
-    void publish(Result result) {
-        add(std::move(result));
-        wake_();
-    }
-
     void end(std::exception_ptr error) {
         std::scoped_lock lock(mutex_);
         since_.reset();
         if (error) error_ = std::move(error);
         changed_.notify_all();
-    }
-
-    void report_share(double share) {
-        // The window draws a frame for each step.
-        const auto now = static_cast<float>(share);
-        if (share < 1 && now < share_ + 0.01f) return;
-        share_ = now;
-        wake_();
     }
 
     std::function<void()> wake_;

@@ -3,16 +3,12 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <numeric>
 #include <span>
 #include <utility>
-#include <vector>
-
-#include "core/image/colour.h"
 
 namespace dapple {
 

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <exception>
 #include <new>
-#include <utility>
 
 #include "app/viewer/background/mipmaps.h"
 #include "io/files/tile_library.h"
@@ -31,35 +29,14 @@ bool far_too_large(std::size_t room, std::size_t dots) {
     return room > kManyDots && room > 4 * dots;
 }
 
-}  // namespace
-
+// What was freed in small pieces stays with the C library otherwise.
 void give_memory_back() {
 #ifdef __GLIBC__
     malloc_trim(0);
 #endif
 }
 
-PlacedDrawing take_spare(std::vector<PlacedDrawing>& spare) {
-    if (spare.empty()) return {};
-    PlacedDrawing last = std::move(spare.back());
-    spare.pop_back();
-    return last;
-}
-
-void keep_few(std::vector<PlacedDrawing>& spare, std::size_t dots) {
-    std::vector<PlacedDrawing> kept;
-    std::size_t freed = 0;
-    for (PlacedDrawing& drawing : spare) {
-        const std::size_t room = room_of(drawing);
-        if (kept.size() < kMostSpare && !far_too_large(room, dots))
-            kept.push_back(std::move(drawing));
-        else
-            freed += room;
-    }
-    spare = std::move(kept);
-    if (freed > kManyDots) give_memory_back();
-}
-
+// Frees what a drawing has far more room for than it has dots.
 void shrink_if_far_too_large(PlacedDrawing& drawing) {
     if (!far_too_large(room_of(drawing), drawing.dots.size())) return;
     for (Dots& piece : drawing.dots.pieces) {
@@ -69,8 +46,6 @@ void shrink_if_far_too_large(PlacedDrawing& drawing) {
     drawing.colours.shrink_to_fit();
     give_memory_back();
 }
-
-namespace {
 
 using Clock = std::chrono::steady_clock;
 
@@ -90,6 +65,21 @@ bool same_tile(const DotsRequest& a, const DotsRequest& b) {
 }
 
 }  // namespace
+
+// Keeps few, and none with far more room than drawings of so many dots as the last need.
+void Workbench::sort_spare() {
+    std::size_t freed = 0;
+    std::vector<PlacedDrawing> kept;
+    for (PlacedDrawing& drawing : spare_) {
+        const std::size_t room = room_of(drawing);
+        if (kept.size() < kMostSpare && !far_too_large(room, last_size_))
+            kept.push_back(std::move(drawing));
+        else
+            freed += room;
+    }
+    spare_ = std::move(kept);
+    if (freed > kManyDots) give_memory_back();
+}
 
 DrawingPlan Workbench::plan(const DotsRequest& request) {
     if (std::exchange(choice_, request.density) != request.density) {
@@ -258,7 +248,11 @@ std::optional<DotsPlaced> Workbench::place_for_screen(const DotsRequest& request
         shown = Clock::now();
         return true;
     };
-    PlacedDrawing drawing = take_spare(spare_);
+    PlacedDrawing drawing;
+    if (!spare_.empty()) {
+        drawing = std::move(spare_.back());
+        spare_.pop_back();
+    }
     try {
         if (!place(request, drawing, stop, unsettled) || stop.stop_requested()) {
             give_back(std::move(drawing));

@@ -24,20 +24,6 @@
 
 namespace dapple {
 
-// Drawings that the window no longer shows: their memory is used again, or given back to the system.
-
-/// One of them, or an empty one.
-PlacedDrawing take_spare(std::vector<PlacedDrawing>& spare);
-
-/// Keeps few, and none with far more room than drawings of so many dots need.
-void keep_few(std::vector<PlacedDrawing>& spare, std::size_t dots);
-
-/// Frees what a drawing has far more room for than it has dots.
-void shrink_if_far_too_large(PlacedDrawing& drawing);
-
-/// What was freed in small pieces stays with the C library otherwise.
-void give_memory_back();
-
 /// Where a drawing is while its dots are still to be relaxed further: told with the drawing as it lies then,
 /// which is made when it is called. False ends it there.
 using Unsettled = std::function<bool(const std::function<PlacedDrawing()>& drawing)>;
@@ -98,7 +84,7 @@ class Workbench {
     /// A drawing whose memory may be used again. Takes no time, however large it is.
     void give_back(PlacedDrawing drawing) { spare_.push_back(std::move(drawing)); }
     /// Frees those that no longer will be.
-    void sort_spare() { keep_few(spare_, last_size_); }
+    void sort_spare();
 
     /// Forgets picture and dots and gives their memory back.
     void clear();
@@ -113,9 +99,9 @@ class Workbench {
     std::atomic<float>* share_ = nullptr;  // of the dots placed: see Placer::report_share()
 
     std::optional<OpenedPicture> arrived_;  // waits for its dots
-    std::vector<PlacedDrawing> spare_;
-    std::size_t last_size_ = 0;                  // dots of the last drawing
-    std::optional<DotsRequest> settled_;         // the request placed last, to its end
+    std::vector<PlacedDrawing> spare_;      // that the window no longer shows: their memory is used again
+    std::size_t last_size_ = 0;             // dots of the last drawing
+    std::optional<DotsRequest> settled_;    // the request placed last, to its end
     std::optional<DotsRequest> tile_published_;  // the request whose tile was told last
 };
 

@@ -1,7 +1,6 @@
 #include "app/viewer/background/worker.h"
 #include "core/watch.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace dapple {

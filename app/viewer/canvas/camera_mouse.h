@@ -1,6 +1,7 @@
 #pragma once
 // The mouse on a canvas: the wheel zooms at the pointer, a drag moves the page.
 
+#include <imgui.h>
 #include <glm/vec2.hpp>
 #include <optional>
 
@@ -12,6 +13,13 @@ namespace dapple {
 struct CanvasPlace {
     glm::vec2 corner{0}, size{1};
     glm::dvec2 pixels_per_point{1, 1};
+
+    bool holds(ImVec2 point) const;
+    /// Where a pixel of it lies, and what of the page lies at a point.
+    ImVec2 point_of(glm::dvec2 pixel) const;
+    PagePoint page_at(ImVec2 point, const Camera& camera) const;
+    /// Nothing is drawn beyond it until the list's PopClipRect().
+    void clip(ImDrawList* list) const;
 };
 
 class CameraMouse {

@@ -6,8 +6,6 @@
 #include <cmath>
 #include <utility>
 
-#include "app/viewer/widgets/keys.h"
-
 namespace dapple {
 namespace {
 

@@ -28,8 +28,7 @@ struct CropView {
     const CanvasPlace& place;
 
     glm::dvec2 percent_under(ImVec2 point) const {
-        const glm::dvec2 in_canvas(point.x - place.corner.x, point.y - place.corner.y);
-        const glm::dvec2 page = in_page_units(point_at(camera, in_canvas * place.pixels_per_point));
+        const glm::dvec2 page = in_page_units(place.page_at(point, camera));
         return 100.0 * opened_pixel(framing, page * longer_side_of(framing.size())) / picture;
     }
     glm::vec2 on_screen(glm::dvec2 percent) const {
@@ -67,7 +66,6 @@ bool CropFrame::drag(std::optional<Crop>& crop, double proportion, const Framing
     const ImGuiIO& io = ImGui::GetIO();
     const bool let_go = !ImGui::IsMouseDown(ImGuiMouseButton_Left);
     const CropView view{framing, glm::dvec2(picture), camera, place};
-    const glm::vec2 pointer{io.MousePos.x, io.MousePos.y};
     if (!held_ && ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !io.WantCaptureMouse) {
         const Rectangle<double> box = crop_percent(crop, picture);
         const ImVec2 press = io.MouseClickedPos[ImGuiMouseButton_Left];
@@ -85,7 +83,7 @@ bool CropFrame::drag(std::optional<Crop>& crop, double proportion, const Framing
         }
     }
     if (!held_) return false;
-    const glm::dvec2 moved = view.percent_under({pointer.x, pointer.y}) - held_->from;
+    const glm::dvec2 moved = view.percent_under(io.MousePos) - held_->from;
     Rectangle<double> box = held_->box;
     const bool all = held_->sides == glm::ivec2(0);
     for (int axis = 0; axis < 2; ++axis) {
@@ -117,8 +115,7 @@ void CropFrame::draw(const std::optional<Crop>& crop, const Framing& framing, gl
     const auto [low, high] = on_screen(box);
     const auto [all_low, all_high] = on_screen({{0, 0}, {100, 100}});
     ImDrawList* const list = ImGui::GetBackgroundDrawList();
-    const glm::vec2 far = place.corner + place.size;
-    list->PushClipRect({place.corner.x, place.corner.y}, {far.x, far.y}, true);
+    place.clip(list);
     const ImU32 away = IM_COL32(60, 60, 60, 150);
     list->AddRectFilled({all_low.x, all_low.y}, {all_high.x, low.y}, away);
     list->AddRectFilled({all_low.x, high.y}, {all_high.x, all_high.y}, away);

@@ -35,22 +35,6 @@ GLuint compile(GLenum stage, std::string_view source) {
 
 }  // namespace
 
-void delete_program(GLuint name) {
-    glDeleteProgram(name);
-}
-void delete_buffer(GLuint name) {
-    glDeleteBuffers(1, &name);
-}
-void delete_vertex_array(GLuint name) {
-    glDeleteVertexArrays(1, &name);
-}
-void delete_texture(GLuint name) {
-    glDeleteTextures(1, &name);
-}
-void delete_framebuffer(GLuint name) {
-    glDeleteFramebuffers(1, &name);
-}
-
 GlProgram::GlProgram(std::string_view vertex_source, std::string_view fragment_source)
     : name_(glCreateProgram()) {
     GLuint vertex = compile(GL_VERTEX_SHADER, vertex_source);

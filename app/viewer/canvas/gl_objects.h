@@ -36,11 +36,13 @@ class GlName {
     GLuint name_ = 0;
 };
 
-void delete_program(GLuint name);
-void delete_buffer(GLuint name);
-void delete_vertex_array(GLuint name);
-void delete_texture(GLuint name);
-void delete_framebuffer(GLuint name);
+struct GlDelete {
+    static void program(GLuint name) { glDeleteProgram(name); }
+    static void buffer(GLuint name) { glDeleteBuffers(1, &name); }
+    static void vertex_array(GLuint name) { glDeleteVertexArrays(1, &name); }
+    static void texture(GLuint name) { glDeleteTextures(1, &name); }
+    static void framebuffer(GLuint name) { glDeleteFramebuffers(1, &name); }
+};
 
 /// Compiled and linked shaders. Throws std::runtime_error with the driver's words if they are wrong.
 class GlProgram {
@@ -51,7 +53,7 @@ class GlProgram {
     GLint uniform(const char* name) const { return glGetUniformLocation(name_.get(), name); }
 
  private:
-    GlName<delete_program> name_;
+    GlName<GlDelete::program> name_;
 };
 
 class GlVertexArray {
@@ -60,7 +62,7 @@ class GlVertexArray {
     void bind() const { glBindVertexArray(name_.get()); }
 
  private:
-    GlName<delete_vertex_array> name_;
+    GlName<GlDelete::vertex_array> name_;
 };
 
 /// A vertex buffer that is written anew as a whole: the old storage is orphaned, so that writing never waits
@@ -74,7 +76,7 @@ class GlStreamBuffer {
     void write(std::size_t bytes, const std::function<void(std::byte* place)>& fill);
 
  private:
-    GlName<delete_buffer> name_;
+    GlName<GlDelete::buffer> name_;
     std::size_t capacity_ = 0;
 };
 
@@ -91,7 +93,7 @@ class GlTexture {
     GLuint get() const { return name_.get(); }
 
  private:
-    GlName<delete_texture> name_;
+    GlName<GlDelete::texture> name_;
 };
 
 /// What a picture that is drawn into keeps of what a fragment shader says.
@@ -116,7 +118,7 @@ class GlFramebuffer {
     std::size_t pictures() const { return pictures_.size(); }
 
  private:
-    GlName<delete_framebuffer> name_;
+    GlName<GlDelete::framebuffer> name_;
     std::vector<GlTexture> pictures_{1};
     glm::ivec2 size_{0, 0};
     Texels texels_ = Texels::as_given;

@@ -5,13 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <utility>
 
 #include "app/viewer/widgets/keys.h"
 #include "app/viewer/widgets/theme.h"
 #include "app/viewer/widgets/widgets.h"
-#include "core/lights/direction.h"
 #include "core/lights/light_picture.h"
 
 namespace dapple {
@@ -43,10 +40,6 @@ Grid<glm::u8vec4> outlines(const Grid<std::uint32_t>& nearest) {
         }
     });
     return pixels;
-}
-
-ImTextureID id_of(const GlTexture& texture) {
-    return texture_id(texture.get());
 }
 
 // 0..1, however often round.
@@ -114,7 +107,7 @@ void LightScene::show_on_map(const GlTexture& texture, const CanvasPlace& place,
         if (left >= right) return;
         const glm::vec2 a = place.corner + glm::vec2(to_canvas(camera, page_point({left, seen_from.y})));
         const glm::vec2 b = place.corner + glm::vec2(to_canvas(camera, page_point({right, seen_to.y})));
-        list->AddImage(id_of(texture), {a.x, a.y}, {b.x, b.y},
+        list->AddImage(texture_id(texture.get()), {a.x, a.y}, {b.x, b.y},
                        {static_cast<float>(left + u_at_0), static_cast<float>(2 * seen_from.y)},
                        {static_cast<float>(right + u_at_0), static_cast<float>(2 * seen_to.y)});
     };
@@ -127,8 +120,7 @@ void LightScene::show_points(const CanvasPlace& place, const Camera& camera, con
     const auto width = static_cast<float>(camera.pixels_per_unit);
     const float radius =
         marker_radius(shown.samples.places.size(), {width, width / 2}) * ImGui::GetFontSize() / 15;
-    list->PushClipRect({place.corner.x, place.corner.y},
-                       {place.corner.x + place.size.x, place.corner.y + place.size.y}, true);
+    place.clip(list);
     const auto discs = [&](float r, ImU32 colour) {
         for (const glm::dvec2 p : shown.samples.places) {
             const glm::dvec2 on_map(wrapped(p.x - shown.settings.turn_degrees / 360), p.y / 2);
@@ -156,7 +148,7 @@ void LightScene::show(const LightLayout& layout, const Camera& camera, const Lig
     for (std::size_t i = 0; i < labels.size(); ++i) {
         const auto& places = layout.objects[i];
         for (std::size_t k = 0; k < places.size(); ++k)
-            list->AddImage(id_of(objects_[i][k]), {places[k].x, places[k].y},
+            list->AddImage(texture_id(objects_[i][k].get()), {places[k].x, places[k].y},
                            {places[k].x + side, places[k].y + side});
         const float width = places.back().x + side - places.front().x;
         const float text = ImGui::CalcTextSize(labels[i]).x;

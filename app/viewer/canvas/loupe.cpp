@@ -21,10 +21,6 @@ namespace {
 constexpr float kCardReach = 20;   // from the pointer, at 96 dpi
 constexpr ImU32 kLitAlpha = 0x38;  // of 255: the dots in the tile are seen through it
 
-ImU32 card_light(ImU32 colour, ImU32 alpha) {
-    return (colour & ~IM_COL32_A_MASK) | alpha << IM_COL32_A_SHIFT;
-}
-
 /// Below and right of the pointer, or on the other side where there is no room.
 ImVec2 corner_beside(ImVec2 pointer, ImVec2 card, const CanvasPlace& place, float air) {
     const glm::vec2 end = place.corner + place.size;
@@ -58,32 +54,26 @@ void draw_card_words(ImDrawList* list, const std::vector<std::string>& lines, co
 void draw_dot_card(const PlacedDrawing& shown, const PlacedWith& with, const Camera& camera,
                    const CanvasPlace& place) {
     const ImGuiIO& io = ImGui::GetIO();
-    const glm::vec2 in_canvas = glm::vec2(io.MousePos.x, io.MousePos.y) - place.corner;
-    if (io.WantCaptureMouse || in_canvas.x < 0 || in_canvas.y < 0 || in_canvas.x >= place.size.x ||
-        in_canvas.y >= place.size.y)
-        return;
+    if (io.WantCaptureMouse || !place.holds(io.MousePos)) return;
     const float unit = ImGui::GetFontSize() / 15;
     const double pixels_per_point = place.pixels_per_point.x;
     const double reach =
         std::max(kCardReach * unit * pixels_per_point / camera.pixels_per_unit, shown.dot_radius());
-    const PagePoint pointer = point_at(camera, glm::dvec2(in_canvas) * place.pixels_per_point);
-    const auto dot = dot_under(shown, with, pointer, reach);
+    const auto dot = dot_under(shown, with, place.page_at(io.MousePos, camera), reach);
     if (!dot) return;
     const auto on_screen = [&](glm::dvec2 in_window) {
         const PagePoint corner(shown.window().x, shown.window().y);
         const glm::dvec2 pixel = to_canvas(camera, corner + PagePoint(in_window * 0x1p62));
         // Far outside, floats and their rounding are of no use.
-        const glm::dvec2 at = glm::clamp(pixel, glm::dvec2(-9), camera.canvas + 9.0) / place.pixels_per_point;
-        return ImVec2(place.corner.x + static_cast<float>(at.x), place.corner.y + static_cast<float>(at.y));
+        return place.point_of(glm::clamp(pixel, glm::dvec2(-9), camera.canvas + 9.0));
     };
     ImDrawList* const list = ImGui::GetForegroundDrawList();
-    list->PushClipRect({place.corner.x, place.corner.y},
-                       {place.corner.x + place.size.x, place.corner.y + place.size.y});
+    place.clip(list);
     const ImU32 light = colour_of(ThemeColour::accent);
     if (const auto& tile = dot->tile) {
         const ImVec2 low = on_screen({tile->x, tile->y});
         const ImVec2 high = on_screen(glm::dvec2(tile->x, tile->y) + tile->side);
-        list->AddRectFilled(low, high, card_light(light, kLitAlpha));
+        list->AddRectFilled(low, high, with_opacity(light, kLitAlpha));
         list->AddRect(low, high, light, 0, 0, 1.5f * unit);
         note_place("Lit tile", {{low.x, low.y}, {high.x, high.y}});
     }
@@ -117,10 +107,7 @@ struct Box {
 
 /// The square on the canvas, in ImGui's points.
 Box on_screen(const LoupeSquare& square, const Camera& camera, const CanvasPlace& place) {
-    const auto point = [&](PagePoint p) {
-        const glm::dvec2 at = to_canvas(camera, p) / place.pixels_per_point;
-        return ImVec2(place.corner.x + static_cast<float>(at.x), place.corner.y + static_cast<float>(at.y));
-    };
+    const auto point = [&](PagePoint p) { return place.point_of(to_canvas(camera, p)); };
     const std::int64_t side = (std::int64_t(1) << (62 - square.level)) * square.across;
     return {point(square.corner), point(square.corner + side)};
 }
@@ -129,7 +116,7 @@ void draw_square(const Box& box, int across, float unit) {
     ImDrawList* list = ImGui::GetForegroundDrawList();
     const ImU32 line = colour_of(ThemeColour::warning);
     const float step = (box.max.x - box.min.x) / static_cast<float>(across);
-    const ImU32 faint = (line & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 110);
+    const ImU32 faint = with_opacity(line, 110);
     for (int i = 1; i < across; ++i) {
         const float at = step * static_cast<float>(i);
         list->AddLine({box.min.x + at, box.min.y}, {box.min.x + at, box.max.y}, faint, unit);
@@ -147,6 +134,14 @@ ImVec2 card_corner(const Box& square, ImVec2 card, const CanvasPlace& place, flo
     const float y = std::clamp((square.min.y + square.max.y - card.y) / 2, place.corner.y + air,
                                std::max(place.corner.y + air, end.y - air - card.y));
     return {std::floor(x), std::floor(y)};
+}
+
+/// What the eye sees in the lens.
+const char* folding_in_words(double repetition) {
+    if (repetition >= 0.5)
+        return "Each square has its dots where the others have theirs: few crisp dots are left.";
+    if (repetition >= 0.2) return "Part of the dots lie where other squares have theirs.";
+    return "No square is like another, so their dots fill an even grey.";
 }
 
 struct Words {
@@ -186,13 +181,6 @@ void draw_card(const Box& square, const Words& words, ImTextureID picture, const
 
 }  // namespace
 
-const char* folding_in_words(double repetition) {
-    if (repetition >= 0.5)
-        return "Each square has its dots where the others have theirs: few crisp dots are left.";
-    if (repetition >= 0.2) return "Part of the dots lie where other squares have theirs.";
-    return "No square is like another, so their dots fill an even grey.";
-}
-
 void Loupe::fold(const LoupeView& view, const LoupeSquare& square) {
     const Key key{square, &view.shown, view.version, view.ink, view.paper};
     if (folded_ == key) return;
@@ -207,20 +195,16 @@ void Loupe::fold(const LoupeView& view, const LoupeSquare& square) {
 
 void Loupe::draw(const LoupeView& view, const Camera& camera, const CanvasPlace& place) {
     info_.reset();
-    const glm::vec2 mouse{ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y};
-    const glm::vec2 in_canvas = mouse - place.corner;
-    const bool inside =
-        in_canvas.x >= 0 && in_canvas.y >= 0 && in_canvas.x < place.size.x && in_canvas.y < place.size.y;
-    if (!inside || ImGui::GetIO().WantCaptureMouse) return;
-    const PagePoint at = point_at(camera, glm::dvec2(in_canvas) * place.pixels_per_point);
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    if (!place.holds(mouse) || ImGui::GetIO().WantCaptureMouse) return;
+    const PagePoint at = place.page_at(mouse, camera);
     const auto square = loupe_square(view.shown, view.tile_size, at, view.step);
     if (!square) return;
     fold(view, *square);
     info_ = LoupeInfo{repetition_, square->across * square->across, square->level};
     const float unit = ImGui::GetFontSize() / 15;
     const Box box = on_screen(*square, camera, place);
-    ImGui::GetForegroundDrawList()->PushClipRect(
-        {place.corner.x, place.corner.y}, {place.corner.x + place.size.x, place.corner.y + place.size.y});
+    place.clip(ImGui::GetForegroundDrawList());
     draw_square(box, square->across, unit);
     draw_card(box, words_for(*square, repetition_, view.mm_per_page_unit), texture_id(picture_.get()), place);
     ImGui::GetForegroundDrawList()->PopClipRect();

@@ -55,7 +55,4 @@ class Loupe {
     std::optional<LoupeInfo> info_;
 };
 
-/// What the eye sees in the lens, in a sentence.
-const char* folding_in_words(double repetition);
-
 }  // namespace dapple

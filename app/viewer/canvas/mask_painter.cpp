@@ -3,7 +3,6 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <glm/vector_relational.hpp>
 
 #include "app/viewer/canvas/pane_view.h"
 #include "app/viewer/widgets/keys.h"
@@ -44,40 +43,20 @@ Grid<glm::u8vec4> tint_of(const Mask& mask) {
     return picture;
 }
 
-// In ImGui's points.
-ImVec2 screen_point(const Camera& camera, const CanvasPlace& place, glm::dvec2 page_units) {
-    const glm::dvec2 at = to_canvas(camera, page_point(page_units)) / place.pixels_per_point;
-    return {place.corner.x + static_cast<float>(at.x), place.corner.y + static_cast<float>(at.y)};
-}
-
-bool pointer_over(const CanvasPlace& place) {
-    const glm::vec2 pointer{ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y};
-    return glm::all(glm::greaterThanEqual(pointer, place.corner)) &&
-           glm::all(glm::lessThan(pointer, place.corner + place.size));
-}
-
-PagePoint page_point_under(ImVec2 screen, const Camera& camera, const CanvasPlace& place) {
-    return point_at(
-        camera, glm::dvec2(screen.x - place.corner.x, screen.y - place.corner.y) * place.pixels_per_point);
-}
-
-}  // namespace
-
+// Where on the picture as it was opened a point of the page lies, in units of that picture's longer side.
 glm::dvec2 opened_point(const Framing& framing, glm::ivec2 picture, PagePoint point) {
     const glm::dvec2 framed = in_page_units(point) * longer_of(framing.size());
     return opened_pixel(framing, framed) / longer_of(picture);
 }
 
-double page_units_per_unit(const Framing& framing, glm::ivec2 picture) {
-    return longer_of(picture) / longer_of(framing.size());
-}
+}  // namespace
 
 bool MaskPainter::paint(Mask& mask, const MaskBrush& tool, const PlacedDrawing& shown, const Camera& camera,
                         const CanvasPlace& place) {
     const ImGuiIO& io = ImGui::GetIO();
     const ImVec2 press = io.MouseClickedPos[ImGuiMouseButton_Left];
     const auto point = [&](ImVec2 screen) {
-        return opened_point(shown.plan.framing, shown.plan.opened, page_point_under(screen, camera, place));
+        return opened_point(shown.plan.framing, shown.plan.opened, place.page_at(screen, camera));
     };
     if (!tool.on || !ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
         // Where frames are slow, the last of the way and letting go may be in one.
@@ -89,7 +68,7 @@ bool MaskPainter::paint(Mask& mask, const MaskBrush& tool, const PlacedDrawing& 
         return false;
     }
     if (!stroke_) {
-        if (!ImGui::IsMouseClicked(ImGuiMouseButton_Left) || io.WantCaptureMouse || !pointer_over(place))
+        if (!ImGui::IsMouseClicked(ImGuiMouseButton_Left) || io.WantCaptureMouse || !place.holds(io.MousePos))
             return false;
         stroke_.emplace(mask, shown.plan.opened, tool.brush);
         stroke_->go_to(point(press));
@@ -105,21 +84,22 @@ void MaskPainter::draw(const Mask& mask, const MaskBrush& tool, const PlacedDraw
                        const Camera& camera, const CanvasPlace& place) {
     if (!tool.on) return;
     ImDrawList* const list = ImGui::GetBackgroundDrawList();
-    const glm::vec2 far = place.corner + place.size;
-    list->PushClipRect({place.corner.x, place.corner.y}, {far.x, far.y}, true);
+    place.clip(list);
     if (!mask.empty()) {
         if (tinted_ != mask) tint_.write(tint_of(mask));
         tinted_ = mask;
         const PictureView view = view_of(shown.plan.framing, shown.plan.opened);
         const glm::vec2 x = view.corner + view.across, y = view.corner + view.down, xy = x + view.down;
         const glm::dvec2 size = shown.plan.picture_size();
-        list->AddImageQuad(texture_id(tint_.get()), screen_point(camera, place, {0, 0}),
-                           screen_point(camera, place, {size.x, 0}), screen_point(camera, place, size),
-                           screen_point(camera, place, {0, size.y}), {view.corner.x, view.corner.y},
-                           {x.x, x.y}, {xy.x, xy.y}, {y.x, y.y});
+        const auto at = [&](glm::dvec2 page_units) {
+            return place.point_of(to_canvas(camera, page_point(page_units)));
+        };
+        list->AddImageQuad(texture_id(tint_.get()), at({0, 0}), at({size.x, 0}), at(size), at({0, size.y}),
+                           {view.corner.x, view.corner.y}, {x.x, x.y}, {xy.x, xy.y}, {y.x, y.y});
     }
-    if (stroke_ || (!ImGui::GetIO().WantCaptureMouse && pointer_over(place))) {
-        const double units = tool.brush.radius * page_units_per_unit(shown.plan.framing, shown.plan.opened);
+    if (stroke_ || (!ImGui::GetIO().WantCaptureMouse && place.holds(ImGui::GetIO().MousePos))) {
+        const double units =
+            tool.brush.radius * (longer_of(shown.plan.opened) / longer_of(shown.plan.framing.size()));
         const auto radius = static_cast<float>(units * camera.pixels_per_unit / place.pixels_per_point.x);
         const ImVec2 centre = ImGui::GetIO().MousePos;
         const float unit = ImGui::GetFontSize() / 15;

@@ -10,11 +10,6 @@
 
 namespace dapple {
 
-/// Where on the picture as it was opened a point of the page lies, in units of that picture's longer side.
-glm::dvec2 opened_point(const Framing& framing, glm::ivec2 picture, PagePoint point);
-/// How many page units one of those is.
-double page_units_per_unit(const Framing& framing, glm::ivec2 picture);
-
 class MaskPainter {
  public:
     /// Paints what the left button does over the canvas in this frame, on the picture of a drawing, unless

@@ -34,14 +34,11 @@ bool draw_split_divider(float& share, const CanvasPlace& place) {
     const float unit = ImGui::GetFontSize() / 15, grip = kGrip * unit;
     const float least = std::min(3 * grip / std::max(place.size.x, 1.0f), 0.5f);
     const float x = place.corner.x + place.size.x * std::clamp(share, least, 1 - least);
-    ImGui::SetNextWindowPos({std::round(x) - grip, place.corner.y});
-    ImGui::SetNextWindowSize({2 * grip, std::max(place.size.y, 1.0f)});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
-    ImGui::Begin("##divider", nullptr,
-                 kNeverAsksForFocus | ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                     ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoNav |
-                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse);
+    begin_bare("##divider", {std::round(x) - grip, place.corner.y}, {2 * grip, place.size.y},
+               ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoNav |
+                   ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse);
     press_area("##grip", {2 * grip, place.size.y});
     note_place("Divider");
     const bool held = ImGui::IsItemActive(), hot = held || ImGui::IsItemHovered();
@@ -65,28 +62,21 @@ bool draw_split_divider(float& share, const CanvasPlace& place) {
 void draw_pen_trail(std::span<const glm::dvec2> places, const Camera& camera, const CanvasPlace& place) {
     if (places.empty()) return;
     const auto at = [&](glm::dvec2 page_units) {
-        const glm::dvec2 point = to_canvas(camera, page_point(page_units)) / place.pixels_per_point;
-        return ImVec2(place.corner.x + static_cast<float>(point.x),
-                      place.corner.y + static_cast<float>(point.y));
+        return place.point_of(to_canvas(camera, page_point(page_units)));
     };
     ImDrawList* const list = ImGui::GetBackgroundDrawList();
-    const glm::vec2 far = place.corner + place.size;
-    list->PushClipRect({place.corner.x, place.corner.y}, {far.x, far.y}, true);
+    place.clip(list);
     const float unit = ImGui::GetFontSize() / 15;
-    const ImU32 colour = colour_of(ThemeColour::accent) & ~IM_COL32_A_MASK;
+    const ImU32 colour = colour_of(ThemeColour::accent);
     for (std::size_t i = 1; i < places.size(); ++i) {
         const auto opacity = static_cast<ImU32>(255 * i / places.size());
-        list->AddLine(at(places[i - 1]), at(places[i]), colour | opacity << IM_COL32_A_SHIFT, 1.5f * unit);
+        list->AddLine(at(places[i - 1]), at(places[i]), with_opacity(colour, opacity), 1.5f * unit);
     }
-    list->AddCircle(at(places.back()), 7 * unit, colour | 255u << IM_COL32_A_SHIFT, 0, 2 * unit);
+    list->AddCircle(at(places.back()), 7 * unit, with_opacity(colour, 255), 0, 2 * unit);
     list->PopClipRect();
 }
 
 namespace {
-
-ImU32 faint(ImU32 colour, unsigned int opacity) {
-    return (colour & ~IM_COL32_A_MASK) | opacity << IM_COL32_A_SHIFT;
-}
 
 /// Millimetres of the page, from its corner, on screen.
 class PageOnScreen {
@@ -106,8 +96,7 @@ class PageOnScreen {
     }
     ImDrawList* begin() const {
         ImDrawList* const list = ImGui::GetBackgroundDrawList();
-        const glm::vec2 far = place_.corner + place_.size;
-        list->PushClipRect({place_.corner.x, place_.corner.y}, {far.x, far.y}, true);
+        place_.clip(list);
         return list;
     }
 
@@ -126,7 +115,7 @@ void draw_margin_lines(const PageLayout& layout, const Camera& camera, const Can
     const PageOnScreen on_screen(layout, camera, place);
     ImDrawList* const list = on_screen.begin();
     list->AddRect(on_screen.at(layout.within_margins.low), on_screen.at(layout.within_margins.high),
-                  faint(colour_of(ThemeColour::accent), 0x90));
+                  with_opacity(colour_of(ThemeColour::accent), 0x90));
     list->PopClipRect();
 }
 
@@ -143,8 +132,8 @@ void draw_sheet_lines(const PageLayout& layout, const Sheet& sheets, const Camer
     const PageOnScreen on_screen(layout, camera, place);
     const glm::dvec2 page(layout.page.width_mm, layout.page.height_mm),
         step = sheet_step(layout.page, sheets);
-    const ImU32 accent = colour_of(ThemeColour::accent), edge = faint(accent, 0xc0),
-                strip = faint(accent, 0x28);
+    const ImU32 accent = colour_of(ThemeColour::accent), edge = with_opacity(accent, 0xc0),
+                strip = with_opacity(accent, 0x28);
     ImDrawList* const list = on_screen.begin();
     // What two neighbours share, along the whole page; without an overlap, where one ends and the other
     // begins.
@@ -168,7 +157,7 @@ void draw_sheet_lines(const PageLayout& layout, const Sheet& sheets, const Camer
                             std::round((low.y + high.y - line) / 2)};
         list->AddRectFilled({middle.x - air, middle.y - air / 2},
                             {middle.x + text.x + air, middle.y + line + air / 2},
-                            faint(colour_of(ThemeColour::panel), 0xd0), air);
+                            with_opacity(colour_of(ThemeColour::panel), 0xd0), air);
         list->AddText(middle, colour_of(ThemeColour::text), name.c_str());
     }
     list->PopClipRect();

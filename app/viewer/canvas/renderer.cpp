@@ -10,11 +10,8 @@
 #include <numeric>
 #include <string>
 #include <string_view>
-#include <vector>
 
-#include "app/viewer/background/dot_blocks.h"
 #include "core/image/colour.h"
-#include "core/image/tone.h"
 #include "dapple_viewer_embedded/shaders.h"
 
 namespace dapple {
@@ -583,9 +580,7 @@ void Renderer::draw_dots(Job& job, std::size_t most) {
         return;
     }
     if (strokes_) return draw_lines(job, most);
-    const Camera& camera = job.camera;
     const CanvasLook& look = job.look;
-    const DotGrid& grid = job.grid;
     const Shown& shown = *job.shown;
     Dots& dots = handed_over_;
     for (FloatBuffer* numbers : {&dots.x, &dots.y, &dots.critical, &dots.radius}) numbers->clear();
@@ -610,26 +605,15 @@ void Renderer::draw_dots(Job& job, std::size_t most) {
     if (shown.has_radii) dot_radius_.write(std::as_bytes(std::span(dots.radius)));
     if (has_colours() || by_pen()) dot_colour_.write(std::as_bytes(std::span(colours_handed_over_)));
     attach_columns(shown);
-    const double scale = camera.pixels_per_unit * grid.samples;
+    const double scale = job.camera.pixels_per_unit * job.grid.samples;
     const double largest = (shown.has_radii ? shown.largest_radius : look.dot_radius) * scale;
     const double guard = std::ceil(largest) + 1;
     const bool sprites = 2 * guard <= largest_point_;
-    const glm::ivec2 size = (grid.high - grid.low) * grid.samples;
-    dots_of(job).bind();
-    glEnable(GL_FRAMEBUFFER_SRGB);
-    // Each component unites what is drawn into it.
-    glBlendFunc(GL_ONE, by_pen() ? GL_ONE_MINUS_SRC_COLOR : GL_ONE_MINUS_SRC_ALPHA);
-    dot_.use();
-    set_transform(dot_, {.offset = (to_canvas(camera, dot_origin_) - glm::dvec2(grid.low)) *
-                                   static_cast<double>(grid.samples),
-                         .scale = scale,
-                         .canvas = glm::dvec2(size),
-                         .guard = sprites ? guard : 0});
+    begin_ink(job, dot_, sprites ? guard : 0);
     glUniform1f(dot_.uniform("guard"), sprites ? static_cast<float>(guard) : 0);
     glUniform1i(dot_.uniform("sprite"), sprites);
     glUniform1f(dot_.uniform("point_step"), static_cast<float>(point_step_));
     glUniform1i(dot_.uniform("coloured"), has_colours());
-    glUniform1i(dot_.uniform("by_pen"), by_pen());
     glUniform1f(dot_.uniform("fade_scale"), has_critical_ ? static_cast<float>(look.fade_scale) : 0);
     // What the shader reads where no column is attached.
     glVertexAttrib4f(kDotColour, 1, 1, 1, 1);
@@ -677,6 +661,23 @@ void Renderer::draw_inking(const Job& job) {
     draw_handed_over(job, 0, 1);
 }
 
+// Dots or lines, onto the picture for them with so many samples around it.
+void Renderer::begin_ink(const Job& job, const GlProgram& program, double guard) {
+    const DotGrid& grid = job.grid;
+    const auto samples = static_cast<double>(grid.samples);
+    dots_of(job).bind();
+    glEnable(GL_FRAMEBUFFER_SRGB);
+    glEnable(GL_BLEND);
+    // Each component unites what is drawn into it.
+    glBlendFunc(GL_ONE, by_pen() ? GL_ONE_MINUS_SRC_COLOR : GL_ONE_MINUS_SRC_ALPHA);
+    program.use();
+    set_transform(program, {.offset = (to_canvas(job.camera, dot_origin_) - glm::dvec2(grid.low)) * samples,
+                            .scale = job.camera.pixels_per_unit * samples,
+                            .canvas = glm::dvec2((grid.high - grid.low) * grid.samples),
+                            .guard = guard});
+    glUniform1i(program.uniform("by_pen"), by_pen());
+}
+
 // Lines in the memory for it, with widths of their own or that one.
 void Renderer::draw_handed_over(const Job& job, double width, double grow) {
     line_ends_.write(std::as_bytes(std::span(lines_handed_over_)));
@@ -693,19 +694,8 @@ void Renderer::draw_handed_over(const Job& job, double width, double grow) {
     } else {
         glDisableVertexAttribArray(kLineWidth);
     }
-    const DotGrid& grid = job.grid;
-    const double scale = job.camera.pixels_per_unit * grid.samples;
-    dots_of(job).bind();
-    glEnable(GL_FRAMEBUFFER_SRGB);
-    glEnable(GL_BLEND);
-    glBlendFunc(GL_ONE, by_pen() ? GL_ONE_MINUS_SRC_COLOR : GL_ONE_MINUS_SRC_ALPHA);
-    line_.use();
-    set_transform(line_, {.offset = (to_canvas(job.camera, dot_origin_) - glm::dvec2(grid.low)) *
-                                    static_cast<double>(grid.samples),
-                          .scale = scale,
-                          .canvas = glm::dvec2((grid.high - grid.low) * grid.samples)});
+    begin_ink(job, line_, 0);
     glUniform1f(line_.uniform("grow"), static_cast<float>(grow));
-    glUniform1i(line_.uniform("by_pen"), by_pen());
     // What the shader reads where no column is attached.
     glVertexAttrib4f(kLineColour, 1, 1, 1, 1);
     glVertexAttrib1f(kLineWidth, static_cast<float>(width));

@@ -18,7 +18,6 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "app/viewer/background/dot_blocks.h"
@@ -192,6 +191,7 @@ class Renderer {
     void draw_dots(Job& job, std::size_t most);
     void draw_lines(Job& job, std::size_t most);
     void draw_inking(const Job& job);
+    void begin_ink(const Job& job, const GlProgram& program, double guard);
     void draw_handed_over(const Job& job, double width, double grow);
     void show_preview(Job& job);
     bool has_colours() const { return !all_.colours.empty(); }

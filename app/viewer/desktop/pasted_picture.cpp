@@ -12,7 +12,6 @@
 #include <stdexcept>
 #include <string>
 #include <system_error>
-#include <vector>
 
 #include "io/files/atomic_file.h"
 #include "io/files/child_output.h"
@@ -44,8 +43,7 @@ std::string_view trimmed_line(std::string_view line) {
     return from == line.npos ? std::string_view() : line.substr(from, to - from + 1);
 }
 
-}  // namespace
-
+// The path that a line names: a URI, one that begins with ~/, any other as it is. Empty: of another computer.
 fs::path path_named_by(std::string_view line, const fs::path& home) {
     const bool quoted =
         line.size() > 2 && line.front() == line.back() && (line.front() == '"' || line.front() == '\'');
@@ -62,6 +60,8 @@ fs::path path_named_by(std::string_view line, const fs::path& home) {
     return without_percents(line);
 }
 
+}  // namespace
+
 std::vector<fs::path> pasted_files(std::string_view text, const fs::path& home) {
     constexpr std::size_t kMostLetters = 100'000;
     std::vector<fs::path> files;
@@ -77,8 +77,6 @@ std::vector<fs::path> pasted_files(std::string_view text, const fs::path& home) 
 }
 
 namespace {
-
-namespace fs = std::filesystem;
 
 using Words = std::vector<std::string>;
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <exception>
 #include <glm/common.hpp>
-#include <utility>
 #include <variant>
 
 namespace dapple {
@@ -24,7 +23,15 @@ PointsInView points_on_screen(const PlacedDrawing& shown, const Camera& camera) 
 }  // namespace
 
 void ViewMeter::update(const Pane& pane, const Camera& camera, std::size_t tile_size) {
-    take_result();
+    try {
+        if (std::optional<ViewAnalysis> result = background_.result()) {
+            analysis_ = std::move(result);
+            ++analyses_;
+        }
+    } catch (const std::exception& error) {
+        analysis_.emplace().error = error.what();
+        ++analyses_;
+    }
     const std::pair key(pane.placings(), camera);
     if (measured_ == key || background_.busy()) return;
     background_.begin(analysis_work({.view = points_on_screen(pane.shown(), camera),
@@ -32,17 +39,6 @@ void ViewMeter::update(const Pane& pane, const Camera& camera, std::size_t tile_
                                      .has_duplicates = pane.page().duplicates > 0,
                                      .measure = measure_}));
     measured_ = key;
-}
-
-void ViewMeter::take_result() {
-    try {
-        std::optional<ViewAnalysis> result = background_.result();
-        if (!result) return;
-        analysis_ = std::move(result);
-    } catch (const std::exception& error) {
-        analysis_.emplace().error = error.what();
-    }
-    ++analyses_;
 }
 
 void ViewMeter::stop() {
@@ -76,8 +72,7 @@ DotsRequest right_request(const Comparison& comparison, const PlacedDrawing& lef
 void ComparedPanes::Beside::request(const Session& session, DotsRequest page, const Zoom& zoom) {
     if (std::exchange(asked_, session.pictures()) != session.pictures())
         pane_.worker().open(session.picture().name, session.picture().read);
-    pane_.request(std::move(page), zoom,
-                  session.settings.every_frame ? RequestAgain::always : RequestAgain::when_changed);
+    pane_.request(std::move(page), zoom, session.settings.every_frame);
 }
 
 void ComparedPanes::Beside::forget() {

@@ -39,8 +39,6 @@ class ViewMeter {
     int analyses() const { return analyses_; }
 
  private:
-    void take_result();
-
     Measure measure_;
     Background<ViewAnalysis> background_;
     std::optional<std::pair<std::uint64_t, Camera>> measured_;  // of Pane::placings()

@@ -2,12 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <exception>
 #include <glm/vec4.hpp>
 #include <random>
-#include <span>
-#include <vector>
 
 #include "core/drawing/drawing_figures.h"
 #include "core/drawing/write_drawing.h"
@@ -176,9 +173,9 @@ PlottingEstimate estimated_plotting(const DrawingToSave& drawing, DotOrder order
 }
 
 ExportInfo ExportEstimate::info(const Pane& pane, const ViewerSettings& settings, DrawingFormat format) {
-    const Key key{pane.placings(), format, settings.drawing, settings.saving};
+    EstimateKey key{pane.placings(), format, settings.drawing, settings.saving};
     if (key_ == key) return info_;
-    key_ = key;
+    key_ = std::move(key);
     const PlacedDrawing& drawing = pane.page();
     PageSize page = drawing.layout.page;
     info_ = {.dots = drawing.dots.size(), .bytes = {}, .trouble = {}};
@@ -254,9 +251,9 @@ Preflight ExportEstimate::measured(const Pane& pane, const InkedDot& ink) {
 std::optional<PlottingTime> PlottingClock::time(const Pane& pane, const ViewerSettings& settings) {
     const PlacedDrawing& drawing = pane.page();
     if (!drawing.settled() || drawing.dots.size() == 0) return time_;
-    Key key{pane.placings(), settings.drawing, settings.saving};
-    if (key_ == key) return time_;
     const DrawingFormat format = DrawingFormat::svg;
+    EstimateKey key{pane.placings(), format, settings.drawing, settings.saving};
+    if (key_ == key) return time_;
     const DrawingToSave estimated{.file = {.format = format, .settings = settings.drawing},
                                   .dots = stream_of(drawing.dots, drawing.scale),
                                   .page = drawing.layout.page,

@@ -2,7 +2,6 @@
 // What a file would come to, told before it is written: how large it is, how long it takes to plot, and what
 // someone should know of it.
 
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -40,23 +39,25 @@ struct ExportInfo {
     std::vector<Finding> findings = {};
 };
 
+/// What an estimate depends on.
+struct EstimateKey {
+    std::uint64_t placings = 0;
+    DrawingFormat format = DrawingFormat::svg;
+    DrawingSettings drawing;
+    SavingChoice saving;
+    bool operator==(const EstimateKey&) const = default;
+};
+
 /// Estimates anew only when something changed.
 class ExportEstimate {
  public:
     ExportInfo info(const Pane& pane, const ViewerSettings& settings, DrawingFormat format);
 
  private:
-    struct Key {
-        std::uint64_t placings = 0;
-        DrawingFormat format{};
-        DrawingSettings drawing;
-        SavingChoice saving;
-        bool operator==(const Key&) const = default;
-    };
     /// What becomes of the dots on the page, measured anew only when they or the pen changed.
     Preflight measured(const Pane& pane, const InkedDot& ink);
 
-    std::optional<Key> key_;
+    std::optional<EstimateKey> key_;
     ExportInfo info_;
     std::optional<std::pair<std::uint64_t, InkedDot>> measured_key_;
     Preflight measured_;
@@ -69,13 +70,7 @@ class PlottingClock {
     std::optional<PlottingTime> time(const Pane& pane, const ViewerSettings& settings);
 
  private:
-    struct Key {
-        std::uint64_t placings = 0;
-        DrawingSettings drawing;
-        SavingChoice saving;
-        bool operator==(const Key&) const = default;
-    };
-    std::optional<Key> key_;
+    std::optional<EstimateKey> key_;
     std::optional<PlottingTime> time_;
 };
 

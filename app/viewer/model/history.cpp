@@ -7,10 +7,7 @@
 #include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <utility>
-#include <vector>
 
-#include "app/viewer/model/viewer_settings.h"
 #include "core/settings/setting.h"
 #include "core/settings/settings_text.h"
 

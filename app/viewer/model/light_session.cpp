@@ -7,7 +7,6 @@
 #include "core/image/environment.h"
 #include "core/text/shown_text.h"
 #include "io/files/environment_file.h"
-#include "io/files/save_lights.h"
 #include "io/files/tile_library.h"
 
 namespace dapple {

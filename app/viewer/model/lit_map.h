@@ -5,7 +5,6 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "app/viewer/model/lights_settings.h"

@@ -1,6 +1,5 @@
 #include "app/viewer/model/pane.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -44,7 +43,7 @@ double Pane::fade_scale(const Zoom& zoom) const {
     return page_.scale * zoom.enlargement * zoom.enlargement * kFadeHeadStart;
 }
 
-bool Pane::request(DotsRequest page, const Zoom& zoom, RequestAgain again) {
+bool Pane::request(DotsRequest page, const Zoom& zoom, bool again) {
     const auto close = close_view(page, zoom);
     if (!close && close_requested_) {
         close_requested_.reset();
@@ -57,7 +56,7 @@ bool Pane::request(DotsRequest page, const Zoom& zoom, RequestAgain again) {
     const bool is_close = close && page_requested_ == page && page_.request == page;
     if (is_close) page.close = close;
     std::optional<DotsRequest>& requested = is_close ? close_requested_ : page_requested_;
-    if (again == RequestAgain::when_changed && requested == page) return false;
+    if (!again && requested == page) return false;
     requested = page;
     worker_.place(std::move(page));
     return true;

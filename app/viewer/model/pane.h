@@ -40,11 +40,6 @@ struct Zoom {
     double enlargement = 1;  // how many times larger than fitted into the canvas
 };
 
-enum class RequestAgain {
-    when_changed,
-    always,
-};
-
 class Pane {
  public:
     /// `wake` is called from the worker's threads whenever there is an event.
@@ -54,9 +49,9 @@ class Pane {
     const Worker& worker() const { return worker_; }
 
     /// Requests the page or, once that is there and the zoom is so deep that the whole page would be too
-    /// coarse or too much, what is in view of it. True if it requested something: nothing twice, unless told
-    /// to.
-    bool request(DotsRequest page, const Zoom& zoom, RequestAgain again);
+    /// coarse or too much, what is in view of it. True if it requested something: nothing twice, unless
+    /// `again` says so.
+    bool request(DotsRequest page, const Zoom& zoom, bool again);
 
     /// Takes drawing and tile out of the event.
     void take(DotsPlaced& event);

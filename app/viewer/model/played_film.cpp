@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "io/film/film.h"
-
 namespace dapple {
 
 void pass(PlayedFilm& film, double seconds) {

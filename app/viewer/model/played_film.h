@@ -2,7 +2,6 @@
 // The film that the window plays, and what it asks to be placed.
 
 #include <cstdint>
-#include <optional>
 
 #include "app/viewer/background/dots_request.h"
 #include "app/viewer/model/viewer_settings.h"

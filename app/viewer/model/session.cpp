@@ -6,11 +6,8 @@
 #include <memory>
 #include <stdexcept>
 #include <system_error>
-#include <utility>
 
 #include "app/viewer/desktop/pasted_picture.h"
-#include "app/viewer/model/history.h"
-#include "app/viewer/model/viewer_settings.h"
 #include "core/drawing/write_drawing.h"
 #include "core/settings/fields.h"
 #include "core/text/shown_text.h"
@@ -23,7 +20,6 @@
 #include "io/files/tile_library.h"
 #include "io/film/save_film.h"
 #include "io/settings/presets.h"
-#include "io/settings/project.h"
 
 namespace dapple {
 namespace {
@@ -139,10 +135,6 @@ bool Session::would_lose_changes(const fs::path& file) const {
     if (ends_as_project(file)) return true;
     const Mask& mask = settings.drawing.mask;
     return !project_path().empty() || (!mask.empty() && (!safe_ || safe_->mask != mask));
-}
-
-DotsRequest Session::page_request() const {
-    return as_shown(film ? film_request(settings, *film) : dots_request(settings));
 }
 
 DotsRequest Session::as_shown(DotsRequest request) const {
@@ -286,13 +278,6 @@ void Session::take(SavedSettings taken) {
     settings.saving = taken.saving;
 }
 
-void Session::take_settings(const fs::path& file) {
-    attempt([&] {
-        take(settings_from(file));
-        banner = {BannerKind::notice, "Settings taken from " + file.string() + ". Undo restores yours."};
-    });
-}
-
 void Session::take_preset(const SavedSettings& preset) {
     attempt([&] { take({with_preset(preset.drawing, settings.drawing), preset.saving}); });
 }
@@ -329,7 +314,10 @@ void Session::take_dropped(const fs::path& file) {
     else if (ends_as_project(file))
         open_project(file);
     else if (ending_of(file) == ".svg" || settings_inside(file))
-        take_settings(file);
+        attempt([&] {
+            take(settings_from(file));
+            banner = {BannerKind::notice, "Settings taken from " + file.string() + ". Undo restores yours."};
+        });
     else
         open(file);
 }
@@ -417,9 +405,8 @@ void Session::save_film(const fs::path& path) {
 void Session::request_dots(const Zoom& zoom) {
     // In every frame, but not before the last one is there: it would never be.
     const bool waits = settings.every_frame && pane_.worker().placing_since();
-    const bool again = settings.every_frame && !waits;
-    const bool requested =
-        pane_.request(page_request(), zoom, again ? RequestAgain::always : RequestAgain::when_changed);
+    DotsRequest page = as_shown(film ? film_request(settings, *film) : dots_request(settings));
+    const bool requested = pane_.request(std::move(page), zoom, settings.every_frame && !waits);
     if (requested) requested_settings_ = settings;
     if (requested || waits) take_events(settings.every_frame ? kLongPatience : kPatience);
 }

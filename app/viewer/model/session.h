@@ -10,7 +10,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "app/viewer/model/banner.h"
@@ -77,10 +76,7 @@ class Session {
     /// A number that changes with every change of the settings.
     int changes() const { return history_.changes(); }
 
-    /// The drawing's settings that another drawing has inside it; the picture stays. The banner says how that
-    /// went.
-    void take_settings(const std::filesystem::path& file);
-    /// Those of a preset, but for what is the picture's own.
+    /// The settings of a preset, but for what is the picture's own.
     void take_preset(const SavedSettings& preset);
 
     /// A tile or a project, if the file's name ends as theirs do; the settings of an SVG or PNG that Dapple
@@ -193,8 +189,6 @@ class Session {
     void come_to(int opened, Left before);
     const Source& source_of(const Step& step) const;
     void go_back_before(const std::filesystem::path& picture);
-    /// What the whole page is requested with.
-    DotsRequest page_request() const;
     void name_changes();
     void know_safe(std::optional<DrawingSettings> drawing);
     /// What goes wrong is said.

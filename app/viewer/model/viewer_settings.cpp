@@ -1,7 +1,6 @@
 #include "app/viewer/model/viewer_settings.h"
 
 #include "core/settings/drawing_fields.h"
-#include "io/files/tile_library.h"
 
 namespace dapple {
 

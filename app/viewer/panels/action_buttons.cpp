@@ -90,9 +90,8 @@ std::optional<Action> draw_menu(const char* name, std::span<const Action> entrie
     ImGuiStorage* const storage = ImGui::GetStateStorage();
     const ImGuiID mark = ImGui::GetID("marked");
     const auto last = static_cast<int>(entries.size()) - 1;
-    const auto down = [](Key key) { return ImGui::IsKeyPressed(key_code(key), true) ? 1 : 0; };
     if (ImGui::IsWindowAppearing()) storage->SetInt(mark, -1);
-    const int walked = down(Key::down) - down(Key::up);
+    const int walked = step_between(Key::up, Key::down);
     const int marked =
         walked == 0 ? storage->GetInt(mark) : std::clamp(storage->GetInt(mark) + walked, 0, last);
     storage->SetInt(mark, marked);
@@ -100,7 +99,7 @@ std::optional<Action> draw_menu(const char* name, std::span<const Action> entrie
     for (int i = 0; i <= last; ++i) {
         const Action action = entries[static_cast<std::size_t>(i)];
         const Shortcut& entry = shortcut_of(action);
-        const bool entered = i == marked && (key_pressed(Key::enter) || key_pressed(Key::keypad_enter));
+        const bool entered = i == marked && enter_pressed();
         if (ImGui::MenuItem(entry.label, entry.keys, i == marked) || entered) chosen = action;
         note_place(entry.label);
     }
@@ -108,17 +107,6 @@ std::optional<Action> draw_menu(const char* name, std::span<const Action> entrie
     take_keyboard();
     ImGui::EndPopup();
     return chosen;
-}
-
-bool action_button(Action action, int column) {
-    const char* const label = shortcut_of(action).label;
-    const float air = ImGui::GetStyle().ItemSpacing.x;
-    if (column > 0) ImGui::SameLine();
-    // The width of the whole row, wherever in it the cursor is.
-    const float row = ImGui::GetWindowContentRegionMax().x - ImGui::GetWindowContentRegionMin().x;
-    const bool pressed = key_button(label, {(row - (kButtonsARow - 1) * air) / kButtonsARow, 0});
-    note_place(label);
-    return pressed;
 }
 
 }  // namespace
@@ -160,9 +148,7 @@ void draw_title(const std::string& name, const UndoInfo& info, const std::functi
     ImGui::SetNextWindowPos({right, start.y + height + ImGui::GetStyle().ItemSpacing.y}, ImGuiCond_Always,
                             {1, 0});
     if (const std::optional<Action> chosen = draw_menu("menu", kMenu)) act(*chosen);
-    ImGui::SetCursorScreenPos({start.x, start.y + height});
-    ImGui::Dummy({0, 0});
-    ImGui::SetCursorScreenPos({start.x, start.y + height});
+    go_on_at({start.x, start.y + height});
 }
 
 void draw_canvas_menu(glm::vec2 corner, glm::vec2 size, const std::function<void(Action)>& act) {
@@ -200,9 +186,16 @@ void draw_canvas_tools(glm::vec2 corner, Column column, const std::function<void
 }
 
 void draw_action_buttons(bool has_project, const std::function<void(Action)>& act) {
+    const float air = ImGui::GetStyle().ItemSpacing.x;
+    // The width of the whole row, wherever in it the cursor is.
+    const float row = ImGui::GetWindowContentRegionMax().x - ImGui::GetWindowContentRegionMin().x;
     const auto button = [&](Action action, int column) {
-        if (action_button(action, column)) act(action);
-        tip(with_keys(shortcut_of(action).tip, action).c_str());
+        const Shortcut& shortcut = shortcut_of(action);
+        if (column > 0) ImGui::SameLine();
+        const bool pressed = key_button(shortcut.label, {(row - (kButtonsARow - 1) * air) / kButtonsARow, 0});
+        note_place(shortcut.label);
+        if (pressed) act(action);
+        tip(with_keys(shortcut.tip, action).c_str());
     };
     button(Action::open, 0);
     button(Action::save_as, 1);

@@ -50,8 +50,6 @@ bool draw_banner(Banner& banner, glm::vec2 corner, glm::vec2 size) {
     const float inner = below ? std::max(text.x, button) : text.x + beside;
     const float width = inner + 2 * padding.x + cross + 8 * unit;
     const float button_y = below ? padding.y + text.y + 8 * unit : padding.y;
-    ImGui::SetNextWindowPos({corner.x + (size.x - width) / 2, corner.y + 16 * unit});
-    ImGui::SetNextWindowSize({width, std::max(padding.y + text.y, button_y + cross) + padding.y});
     ImGui::PushStyleVar(ImGuiStyleVar_Alpha,
                         std::clamp((kStays + kFades - banner.shown_for) / kFades, 0.0f, 1.0f));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
@@ -59,8 +57,8 @@ bool draw_banner(Banner& banner, glm::vec2 corner, glm::vec2 size) {
     ThemeColour colour = banner.kind == BannerKind::error ? ThemeColour::warning : ThemeColour::accent;
     ImGui::PushStyleColor(ImGuiCol_Border, colour_of(colour));
     ImGui::PushStyleColor(ImGuiCol_Text, colour_of(colour));
-    ImGui::Begin("##banner", nullptr,
-                 kNeverAsksForFocus | ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
+    begin_bare("##banner", {corner.x + (size.x - width) / 2, corner.y + 16 * unit},
+               {width, std::max(padding.y + text.y, button_y + cross) + padding.y});
     ImGui::SetCursorPosY(padding.y + std::max(0.0f, (cross - ImGui::GetTextLineHeight()) / 2));
     ImGui::PushTextWrapPos(padding.x + widest + unit);
     ImGui::TextUnformatted(lines.c_str());

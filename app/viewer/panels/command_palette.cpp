@@ -5,12 +5,10 @@
 #include <algorithm>
 #include <optional>
 #include <sstream>
-#include <string>
 
 #include "app/viewer/widgets/dialog.h"
 #include "app/viewer/widgets/keys.h"
 #include "app/viewer/widgets/picture_entry.h"
-#include "app/viewer/widgets/widgets.h"
 #include "core/text/shown_text.h"
 #include "io/files/text_file.h"
 
@@ -51,20 +49,7 @@ std::string where_in_words(const FoundRow& found) {
     return words;
 }
 
-int steps_by_arrows() {
-    const auto down = [](Key key) { return ImGui::IsKeyPressed(key_code(key), true) ? 1 : 0; };
-    return down(Key::down) - down(Key::up);
-}
-
 }  // namespace
-
-std::vector<std::filesystem::path> recent_with(std::string_view text,
-                                               std::span<const std::filesystem::path> files) {
-    std::vector<std::filesystem::path> found;
-    for (const std::filesystem::path& file : files)
-        if (has_all_words(file.string(), text)) found.push_back(file);
-    return found;
-}
 
 std::vector<Shortcut> shortcuts_with(std::string_view text, std::span<const Shortcut> shortcuts) {
     std::vector<Shortcut> found;
@@ -119,13 +104,14 @@ void CommandPalette::draw(std::span<const Shortcut> shortcuts, const std::functi
         note_place("Commands");
         if (before != typed_) chosen_ = 0;
         const std::vector<Shortcut> found = shortcuts_with(typed_, shortcuts);
-        std::vector<std::filesystem::path> files = recent_with(typed_, recent.files);
-        if (files.size() > kMostFiles) files.resize(kMostFiles);
+        std::vector<std::filesystem::path> files;
+        for (const std::filesystem::path& each : recent.files)
+            if (files.size() < kMostFiles && has_all_words(each.string(), typed_)) files.push_back(each);
         const std::vector<FoundRow> settings = rows_with(typed_, rows.rows);
         const int actions = static_cast<int>(found.size());
         const int before_files = actions + static_cast<int>(settings.size());
         const int entries = before_files + static_cast<int>(files.size());
-        const int steps = steps_by_arrows();
+        const int steps = step_between(Key::up, Key::down);
         chosen_ = std::clamp(chosen_ + steps, 0, std::max(entries - 1, 0));
         const float all = static_cast<float>(entries) * ImGui::GetTextLineHeightWithSpacing();
         ImGui::BeginChild("list",

@@ -22,9 +22,6 @@ struct RecentFiles {
     std::span<const std::filesystem::path> files{};
     std::function<void(const std::filesystem::path&)> open{};
 };
-/// Those whose path has every word of the text.
-std::vector<std::filesystem::path> recent_with(std::string_view text,
-                                               std::span<const std::filesystem::path> files);
 
 /// The rows of the panels, and what shows one of them, with one of its values if that is not -1.
 struct RowsToFind {

@@ -1,4 +1,3 @@
-
 #include <array>
 
 #include "app/viewer/panels/method_panels.h"
@@ -55,7 +54,6 @@ bool draw_loupe(LoupeChoice& loupe) {
     changed |= slider_row("Its tiles", loupe.step,
                           {.min = -3,
                            .max = 3,
-                           .neutral = 0,
                            .format = words,
                            .tip = "How large the tiles are that it lays on one another; a step to the right "
                                   "halves their side."});

@@ -10,14 +10,7 @@ namespace {
 
 // One side, away from the edge that it belongs to.
 bool side_row(const char* label, double& percent, double edge, const char* tip) {
-    return slider_row(label, percent,
-                      {.min = 0,
-                       .max = 100,
-                       .neutral = edge,
-                       .format = "%.1f",
-                       .hard_min = 0,
-                       .hard_max = 100,
-                       .tip = tip});
+    return slider_row(label, percent, {.max = 100, .neutral = edge, .format = "%.1f", .tip = tip});
 }
 
 }  // namespace

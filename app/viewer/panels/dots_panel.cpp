@@ -1,7 +1,6 @@
 #include "app/viewer/panels/settings_panels.h"
 
 #include <fmt/format.h>
-#include <imgui.h>
 
 #include <algorithm>
 #include <array>
@@ -12,7 +11,7 @@
 #include "app/viewer/widgets/widgets.h"
 #include "core/image/density.h"
 #include "core/relaxing/relax.h"
-#include "core/text/shown_text.h"
+#include "core/text/number_words.h"
 
 namespace dapple {
 namespace {

@@ -1,16 +1,13 @@
 #include "app/viewer/panels/export_panel.h"
 
 #include <fmt/format.h>
-#include <imgui.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <optional>
 #include <stdexcept>
-#include <string>
 #include <system_error>
 
 #include "app/viewer/widgets/row.h"
@@ -244,22 +241,19 @@ std::string size_in_words(const ExportInfo& info) {
 
 bool draw_export_panel(ViewerSettings& settings, DrawingFormat format, const ExportInfo& info) {
     bool changed = false;
-    if (has_pixels(format)) changed |= slider_row(setting::dpi, settings.saving.dpi);
+    const char* const why_one =
+        settings.drawing.pens.set == PenSet::one ? "Applies to several pens only." : nullptr;
     if (has_pixels(format)) {
+        changed |= slider_row(setting::dpi, settings.saving.dpi);
         int deep = settings.saving.bits == 16;
         if (segmented_row("Bits", deep, std::array{"8", "16"}, "Bits for each channel of a pixel.")) {
             settings.saving.bits = deep ? 16 : 8;
             changed = true;
         }
-    }
-    if (has_pixels(format)) {
-        const Absent absent(settings.drawing.pens.set == PenSet::one ? "Applies to several pens only."
-                                                                     : nullptr);
+        const Absent absent(why_one);
         changed |= switch_row(setting::separations, settings.saving.separations);
-    }
-    if (!has_pixels(format) && !is_table(format)) {
-        const Absent absent(settings.drawing.pens.set == PenSet::one ? "Applies to several pens only."
-                                                                     : nullptr);
+    } else if (!is_table(format)) {
+        const Absent absent(why_one);
         changed |= switch_row(setting::pen_files, settings.saving.pen_files);
     }
     if (has_order(format, settings.drawing.style))

@@ -74,15 +74,12 @@ std::array<float, kColumns> column_heights(const Histogram& histogram) {
     return heights;
 }
 
-std::uint32_t paler(ThemeColour colour) {
-    return (colour_of(colour) & ~IM_COL32_A_MASK) | (90u << IM_COL32_A_SHIFT);
-}
-
 void draw_bars(const Frame& frame, const Histogram& histogram, const Tone& tone) {
     ImDrawList* const list = ImGui::GetWindowDrawList();
     list->AddRectFilled(frame.min, frame.max, colour_of(ThemeColour::track), 3 * frame.unit);
     const std::array<float, kColumns> heights = column_heights(histogram);
     const float room = frame.max.y - frame.min.y - 3 * frame.unit;
+    const std::uint32_t quiet = colour_of(ThemeColour::quiet);
     for (int i = 0; i < kColumns; ++i) {
         if (heights[i] <= 0) continue;
         const float middle = (static_cast<float>(i) + 0.5f) / kColumns;
@@ -91,7 +88,7 @@ void draw_bars(const Frame& frame, const Histogram& histogram, const Tone& tone)
         const float left = std::floor(frame.x_of(static_cast<float>(i) / kColumns));
         const float right = std::floor(frame.x_of(static_cast<float>(i + 1) / kColumns));
         list->AddRectFilled({left, frame.max.y - room * heights[i]}, {right, frame.max.y},
-                            clipped ? paler(ThemeColour::quiet) : colour_of(ThemeColour::quiet));
+                            clipped ? with_opacity(quiet, 90) : quiet);
     }
 }
 
@@ -162,11 +159,7 @@ bool draw_histogram(const Histogram& histogram, Tone& tone) {
         note_handle(frame, i, drawn[i]);
     }
     ImGui::PopID();
-    ImGui::SetCursorScreenPos(
-        {start.x, start.y + (kHeight + kFoot) * unit + ImGui::GetStyle().ItemSpacing.y});
-    ImGui::Dummy({0, 0});
-    ImGui::SetCursorScreenPos(
-        {start.x, start.y + (kHeight + kFoot) * unit + ImGui::GetStyle().ItemSpacing.y});
+    go_on_at({start.x, start.y + (kHeight + kFoot) * unit + ImGui::GetStyle().ItemSpacing.y});
     return tone != before;
 }
 

@@ -18,7 +18,6 @@ constexpr SliderRange kCount{.min = 1,
                              .neutral = 1024,
                              .curve = SliderCurve::logarithmic,
                              .format = "%.0f",
-                             .hard_min = 1,
                              .hard_max = 100'000,
                              .grouped = true,
                              .tip = "How many samples the map's light is shared out to."};
@@ -47,12 +46,9 @@ bool draw_samples(LightsSettings& settings, const TileList& tiles) {
         request.importance = compensated ? LightImportance::compensated : LightImportance::light;
         changed = true;
     }
-    changed |= slider_row("Seed", request.seed,
-                          {.min = 0,
-                           .max = 100,
-                           .neutral = 0,
-                           .format = "%.0f",
-                           .tip = "Another number gives other random places, as good as these."});
+    changed |= slider_row(
+        "Seed", request.seed,
+        {.max = 100, .format = "%.0f", .tip = "Another number gives other random places, as good as these."});
     return changed;
 }
 
@@ -62,7 +58,6 @@ bool draw_view(LightsSettings& settings) {
         slider_row("Exposure", settings.stops,
                    {.min = -12,
                     .max = 12,
-                    .neutral = 0,
                     .format = "%+.1f",
                     .hard_min = -40,
                     .hard_max = 40,
@@ -72,7 +67,6 @@ bool draw_view(LightsSettings& settings) {
         slider_row("Rotation", settings.turn_degrees,
                    {.min = -180,
                     .max = 180,
-                    .neutral = 0,
                     .format = "%.0f deg",
                     .tip = "Turns the light about the vertical axis, on the spheres and in the file."});
     changed |=

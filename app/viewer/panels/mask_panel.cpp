@@ -38,13 +38,9 @@ bool draw_mask_panel(DrawingSettings& drawing, MaskBrush& tool) {
                            "change it too, and so does the wheel with Ctrl."}))
         brush.radius = percent / 100;
     slider_row("Softness", brush.softness,
-               {.min = 0,
-                .max = 1,
-                .neutral = 0.5,
-                .tip = "How much of the brush fades towards its rim: 0 has a sharp edge."});
+               {.neutral = 0.5, .tip = "How much of the brush fades towards its rim: 0 has a sharp edge."});
     slider_row("Strength", brush.strength,
                {.min = 0.05,
-                .max = 1,
                 .neutral = 1,
                 .hard_min = 0.01,
                 .tip = "How far one stroke goes; the next goes on from there."});

@@ -28,10 +28,8 @@ bool draw_density(DensityChoice& density) {
     const Absent absent(density.source == DensitySource::grey ? nullptr : "Applies to a grey density only.");
     changed |= slider_row("Grey", density.grey,
                           {.min = 0.01,
-                           .max = 1,
                            .neutral = 0.5,
                            .hard_min = 0,
-                           .hard_max = 1,
                            .tip = "How dense the even grey is; 1 is as dark as the scale makes it."});
     return changed;
 }
@@ -58,8 +56,7 @@ bool draw_shown(ViewerSettings& settings) {
 bool draw_levels(int& deepest) {
     return slider_row(
         "Divided up to", deepest,
-        {.min = 0,
-         .max = kDeepestStep,
+        {.max = kDeepestStep,
          .neutral = kDeepestStep,
          .format = deepest == kDeepestStep ? "all" : "%.0f",
          .tip = "Shows only the dots of the first levels, as if the page were not divided any further."});

@@ -17,8 +17,6 @@
 
 namespace dapple {
 
-// The row that chooses a tile.
-
 /// What a row offers.
 struct TileList {
     std::span<const std::string> names;    // for tile_named()
@@ -44,8 +42,6 @@ bool ranking_row(const char* label, std::optional<RankingMethod>& ranking);
 
 /// Why rows that only the exact placer knows are absent; null if they are not.
 const char* why_only_exact(PlacerKind placer);
-
-// The section "Compare": the split view and what its right side is drawn with.
 
 /// Section "Compare": the split view on or off, and what its right side is placed with; the loupe. True while
 /// something changes.

@@ -18,11 +18,9 @@ constexpr const char* kPictureShape =
     "The page has the picture's shape and lies as the picture does. For another choose a paper.";
 
 bool draw_paper(PageSetup& setup, const PageSize& drawn) {
-    int paper = static_cast<int>(setup.paper);
-    if (!choice_row("Paper size", paper, names_of(setup.paper),
+    if (!choice_row("Paper size", setup.paper, names_of(setup.paper),
                     "The sheet that is drawn on; \"as the picture\" makes it follow the picture's shape."))
         return false;
-    setup.paper = static_cast<Paper>(paper);
     // Either of the two that are no papers begins with the page as it was, to be changed from there.
     if (setup.paper == Paper::custom) {
         setup.width_mm = drawn.width_mm;
@@ -176,19 +174,12 @@ bool draw_page_panel(PageSetup& setup, Sheet& sheets, const PageLayout& drawn, L
     bool changed = draw_paper(setup, drawn.page);
     {
         const Absent absent(setup.paper == Paper::as_picture ? kPictureShape : nullptr);
-        int orientation = static_cast<int>(setup.orientation);
-        if (choice_row("Orientation", orientation, std::array{"auto", "portrait", "landscape"},
-                       "Whether the sheet is portrait or landscape; auto: as the picture is.")) {
-            setup.orientation = static_cast<PageOrientation>(orientation);
-            changed = true;
-        }
-        int fit = static_cast<int>(setup.fit);
-        if (segmented_row("Fit", fit, std::array{"inside", "fill"},
+        changed |= choice_row("Orientation", setup.orientation, std::array{"auto", "portrait", "landscape"},
+                              "Whether the sheet is portrait or landscape; auto: as the picture is.");
+        changed |=
+            segmented_row("Fit", setup.fit, std::array{"inside", "fill"},
                           "inside: all of the picture, centred within the margins. fill: the middle of the "
-                          "picture, cut so that it fills the page up to the margins.")) {
-            setup.fit = static_cast<PageFit>(fit);
-            changed = true;
-        }
+                          "picture, cut so that it fills the page up to the margins.");
     }
     changed |= draw_sides(setup, drawn.page, unit);
     MarginRows margins(setup.margins, drawn, unit);

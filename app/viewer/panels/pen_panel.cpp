@@ -4,50 +4,31 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/viewer/widgets/widgets.h"
 #include "core/pens/pen.h"
 #include "core/pens/separation.h"
-#include "core/text/shown_text.h"
+#include "core/text/number_words.h"
 
 namespace dapple {
 namespace {
 
-SliderRange width_range(LengthUnit unit) {
-    return {.min = 0,
-            .max = 1.5,
-            .neutral = 0,
-            .hard_max = kWidestPenMm,
-            .typed = TypedKind::length,
-            .unit = unit,
-            .tip = "How wide the pen's tip draws; 0: as large as the dots are drawn."};
+SliderRange length_range(double max, double hard_max, LengthUnit unit, const char* tip) {
+    return {.max = max, .hard_max = hard_max, .typed = TypedKind::length, .unit = unit, .tip = tip};
 }
 
-SliderRange gap_range(LengthUnit unit) {
-    return {.min = 0,
-            .max = 3,
-            .neutral = 0,
-            .hard_max = kWidestPenMm,
-            .typed = TypedKind::length,
-            .unit = unit,
-            .tip =
-                "Dots of this pen that are nearer than this run together on your paper; saving the drawing "
-                "tells you how many will."};
+SliderRange width_range(LengthUnit unit) {
+    return length_range(1.5, kWidestPenMm, unit,
+                        "How wide the pen's tip draws; 0: as large as the dots are drawn.");
 }
 
 SliderRange gain_range(LengthUnit unit) {
-    return {.min = 0,
-            .max = 0.5,
-            .neutral = 0,
-            .hard_max = kMostGainMm,
-            .typed = TypedKind::length,
-            .unit = unit,
-            .tip =
-                "Dot gain: how much wider than the tip its dots come out on your paper, as read off the "
-                "page that dapple testsheet makes. Wider dots are fewer."};
+    return length_range(
+        0.5, kMostGainMm, unit,
+        "Dot gain: how much wider than the tip its dots come out on your paper, as read off the "
+        "page that dapple testsheet makes. Wider dots are fewer.");
 }
 
 // What pens of one's own begin as: those that drew so far.
@@ -142,24 +123,11 @@ bool draw_tips(PenChoice& pens, LengthUnit unit) {
     return slider_row("Dot gain", pens.gain_mm, gain_range(unit)) || changed;
 }
 
-bool draw_order(PenChoice& pens) {
-    return choice_row(
-        "Pen order", pens.order, std::array{"lightest first", "darkest first", "as listed"},
-        "In which order the pens draw; later ones lie on top. lightest first: no tip drags a darker ink "
-        "along. darkest first: for inks that cover darker ones.");
-}
-
-bool draw_pen_ink(PenChoice& pens) {
-    return choice_row(setting::pen_ink.names.row, pens.ink, names_of(pens.ink), setting::pen_ink.help);
-}
-
 bool draw_black_ink(PenChoice& pens) {
     const Absent absent(pens.set == PenSet::cmyk ? nullptr : "Applies to CMYK only.");
     return slider_row(
         "Black in greys", pens.black,
-        {.min = 0,
-         .max = 1,
-         .neutral = kUsualBlack,
+        {.neutral = kUsualBlack,
          .tip = "How much of greys is drawn in black instead of in three colours that make grey: "
                 "0 as little as possible, 1 as much."});
 }
@@ -198,7 +166,11 @@ bool draw_own_pen(const PenChoice& choice, Palette& pens, std::size_t place, Len
     changed |= slider_row(("Width" + number).c_str(), pen.width_mm, width_range(unit));
     {
         const Absent absent(pen.width_mm > 0 ? nullptr : "Give the pen a width first.");
-        changed |= slider_row(("Gap" + number).c_str(), pen.gap_mm, gap_range(unit));
+        changed |= slider_row(
+            ("Gap" + number).c_str(), pen.gap_mm,
+            length_range(3, kWidestPenMm, unit,
+                         "Dots of this pen that are nearer than this run together on your paper; saving the "
+                         "drawing tells you how many will."));
         changed |= slider_row(("Gain" + number).c_str(), pen.gain_mm, gain_range(unit));
     }
     {
@@ -286,10 +258,14 @@ void draw_pen_faces(const PensSeen& seen) {
 bool draw_more(DrawingSettings& settings, LengthUnit unit, const PensSeen& seen) {
     const Absent absent(settings.pens.set == PenSet::one ? "Applies to several pens only." : nullptr);
     if (!subsection("More pen settings", false)) return false;
-    bool changed = draw_tips(settings.pens, unit);
-    changed |= draw_order(settings.pens);
-    changed |= draw_pen_ink(settings.pens);
-    changed |= draw_black_ink(settings.pens);
+    PenChoice& pens = settings.pens;
+    bool changed = draw_tips(pens, unit);
+    changed |= choice_row(
+        "Pen order", pens.order, std::array{"lightest first", "darkest first", "as listed"},
+        "In which order the pens draw; later ones lie on top. lightest first: no tip drags a darker ink "
+        "along. darkest first: for inks that cover darker ones.");
+    changed |= choice_row(setting::pen_ink.names.row, pens.ink, names_of(pens.ink), setting::pen_ink.help);
+    changed |= draw_black_ink(pens);
     changed |= switch_row(setting::registration, settings.registration);
     if (seen.shown) draw_pen_alone(seen.drawn, *seen.shown);
     changed |= draw_adding(settings.pens);

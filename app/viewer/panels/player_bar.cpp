@@ -50,12 +50,9 @@ float player_bar_height() {
 PlayerWish draw_player_bar(PlayedFilm& film, const std::string& words, FilmKind& chosen, glm::vec2 corner,
                            glm::vec2 size) {
     PlayerWish wish = PlayerWish::none;
-    ImGui::SetNextWindowPos({corner.x, corner.y});
-    ImGui::SetNextWindowSize({std::max(size.x, 1.0f), player_bar_height()});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
-    ImGui::Begin("##player", nullptr,
-                 kNeverAsksForFocus | ImGuiWindowFlags_NoNavInputs | ImGuiWindowFlags_NoDecoration |
-                     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoScrollWithMouse);
+    begin_bare("##player", {corner.x, corner.y}, {size.x, player_bar_height()},
+               ImGuiWindowFlags_NoNavInputs | ImGuiWindowFlags_NoScrollWithMouse);
     // Where there is no room for all, what is needed least goes.
     const float line = ImGui::GetTextLineHeight(), air = ImGui::GetStyle().ItemSpacing.x;
     const float kind_width = 6.5f * line, words_width = 11 * line, seconds_width = 5.5f * line;

@@ -29,13 +29,9 @@ void PresetRow::read(Banner& banner) {
     }
 }
 
-bool PresetRow::draw_preset(const Preset& preset, bool marked, const SavedSettings& now,
-                            const Preview& preview) {
-    const EntryPicture picture = next_entry_shows(kPresetBox)
-                                     ? preview(with_preset(preset.settings.drawing, now.drawing))
-                                     : EntryPicture{};
-    return picture_entry(preset.name, preset.about.empty() ? "your own" : preset.about, marked, picture,
-                         kPresetBox);
+static EntryPicture picture_of(const Preset& preset, const EntryBox& box, const DrawingSettings& now,
+                               const PresetRow::Preview& preview) {
+    return next_entry_shows(box) ? preview(with_preset(preset.settings.drawing, now)) : EntryPicture{};
 }
 
 void PresetRow::draw(const SavedSettings& now, const std::function<void(const SavedSettings&)>& take,
@@ -63,7 +59,9 @@ void PresetRow::draw(const SavedSettings& now, const std::function<void(const Sa
         things.all.push_back({preset.name, preset.about.empty()});
     }
     things.draw = [&](int which, bool marked) {
-        return draw_preset(presets_[static_cast<std::size_t>(which)], marked, now, preview);
+        const Preset& preset = presets_[static_cast<std::size_t>(which)];
+        return picture_entry(preset.name, preset.about.empty() ? "your own" : preset.about, marked,
+                             picture_of(preset, kPresetBox, now.drawing, preview), kPresetBox);
     };
     row_.draw(things, banner);
     draw_strip(now, take, preview, things.chosen);
@@ -76,9 +74,7 @@ void PresetRow::draw_strip(const SavedSettings& now, const std::function<void(co
     for (int i = 0; i < static_cast<int>(presets_.size()); ++i) {
         const Preset& preset = presets_[static_cast<std::size_t>(i)];
         if (i > 0) ImGui::SameLine();
-        const EntryPicture picture = next_entry_shows(kStripBox)
-                                         ? preview(with_preset(preset.settings.drawing, now.drawing))
-                                         : EntryPicture{};
+        const EntryPicture picture = picture_of(preset, kStripBox, now.drawing, preview);
         if (strip_entry("Style " + preset.name, preset.name, i == chosen, picture, kStripBox))
             take(preset.settings);
         tip(preset.about.empty() ? "Your own preset." : (preset.about + ".").c_str());

@@ -21,12 +21,10 @@ bool draw_work_banner(const std::string& words, std::optional<double> share, con
     const ImVec2 padding{16 * unit, 12 * unit};
     const float bar = 5 * unit;
     const float height = ImGui::GetFrameHeight() + (share ? 8 * unit + bar : 0) + 2 * padding.y;
-    ImGui::SetNextWindowPos({corner.x + (size.x - width) / 2, corner.y + size.y - height - 16 * unit});
-    ImGui::SetNextWindowSize({width, height});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, unit);
-    ImGui::Begin("##saving", nullptr,
-                 kNeverAsksForFocus | ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
+    begin_bare("##saving", {corner.x + (size.x - width) / 2, corner.y + size.y - height - 16 * unit},
+               {width, height});
     const float button = ImGui::CalcTextSize("Cancel").x + 24 * unit;
     const ImVec2 text = ImGui::GetCursorScreenPos();
     const float inner = width - 2 * padding.x;

@@ -6,7 +6,6 @@
 #include <functional>
 #include <glm/vec2.hpp>
 #include <span>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -49,7 +48,6 @@ class PresetRow {
     void read(Banner& banner);
     void draw_strip(const SavedSettings& now, const std::function<void(const SavedSettings&)>& take,
                     const Preview& preview, int chosen);
-    bool draw_preset(const Preset& preset, bool marked, const SavedSettings& now, const Preview& preview);
 
     std::filesystem::path folder_;
     std::vector<Preset> presets_;  // all that can be chosen; empty: not read yet

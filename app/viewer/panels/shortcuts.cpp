@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 
 #include "app/viewer/model/compared_panes.h"
 #include "app/viewer/widgets/keys.h"
@@ -19,13 +20,13 @@ struct Entry {
     Shortcut shortcut;
 };
 
+constexpr const char *kOpenTip = "Opens a picture, a project or a map of light from a file.",
+                     *kExportTip = "Saves what is shown as a file that other programs and machines read.",
+                     *kFitTip = "Shows all of the page or the map again after zooming.";
+
 constexpr Entry kEntries[] = {
-    {In::drawing,
-     {Action::open, "Ctrl+O", "Open a picture or a project", "Open...",
-      "Opens a picture, a project or a map of light from a file."}},
-    {In::map,
-     {Action::open, "Ctrl+O", "Open a map", "Open...",
-      "Opens a picture, a project or a map of light from a file."}},
+    {In::drawing, {Action::open, "Ctrl+O", "Open a picture or a project", "Open...", kOpenTip}},
+    {In::map, {Action::open, "Ctrl+O", "Open a map", "Open...", kOpenTip}},
     {In::both, {Action::open_tile, "Ctrl+T", "Open a tile"}},
     {In::drawing, {Action::find_picture, "", "Use another picture in this project"}},
     {In::drawing,
@@ -34,11 +35,10 @@ constexpr Entry kEntries[] = {
     {In::drawing, {Action::save, "Ctrl+S", "Save the drawing again where it was saved"}},
     {In::map, {Action::save, "Ctrl+S", "Save the samples again where they were saved"}},
     {In::drawing,
-     {Action::save_as, "Ctrl+E", "Export the drawing: SVG, PDF, PNG, G-code, ...", "Export...",
-      "Saves what is shown as a file that other programs and machines read."}},
+     {Action::save_as, "Ctrl+E", "Export the drawing: SVG, PDF, PNG, G-code, ...", "Export...", kExportTip}},
     {In::map,
      {Action::save_as, "Ctrl+E", "Export the samples: JSON, CSV, pbrt, Mitsuba or PNG", "Export...",
-      "Saves what is shown as a file that other programs and machines read."}},
+      kExportTip}},
     {In::drawing,
      {Action::save_project, "Ctrl+Shift+S", "Save the project: picture and settings", "Project...",
       "Saves picture and settings together, to go on another day."}},
@@ -47,12 +47,8 @@ constexpr Entry kEntries[] = {
     {In::map, {Action::back, "", "Back to the drawing that the map was opened from"}},
     {In::both, {Action::undo, "Ctrl+Z", "Undo", "Undo"}},
     {In::both, {Action::redo, "Ctrl+Y, Ctrl+Shift+Z", "Redo", "Redo"}},
-    {In::drawing,
-     {Action::fit, "F", "Fit the page into the window", "Fit",
-      "Shows all of the page or the map again after zooming."}},
-    {In::map,
-     {Action::fit, "F", "Fit the map into the window", "Fit",
-      "Shows all of the page or the map again after zooming."}},
+    {In::drawing, {Action::fit, "F", "Fit the page into the window", "Fit", kFitTip}},
+    {In::map, {Action::fit, "F", "Fit the map into the window", "Fit", kFitTip}},
     {In::drawing, {Action::one_to_one, "Ctrl+0", "One picture pixel on one screen pixel", "1:1"}},
     {In::map, {Action::one_to_one, "Ctrl+0", "One map pixel on one screen pixel"}},
     {In::both, {Action::zoom_in, "+", "Zoom in"}},
@@ -198,64 +194,8 @@ const Shortcut& shortcut_of(Action action) {
 }
 
 ActionGroup group_of(Action action) {
-    switch (action) {
-        case Action::open:
-        case Action::open_tile:
-        case Action::find_picture:
-        case Action::open_mask:
-        case Action::paste:
-        case Action::save:
-        case Action::save_as:
-        case Action::save_project:
-        case Action::save_film:
-        case Action::copy_picture:
-        case Action::as_lights:
-        case Action::back:
-            return ActionGroup::files;
-        case Action::fit:
-        case Action::one_to_one:
-        case Action::zoom_in:
-        case Action::zoom_out:
-        case Action::pan_left:
-        case Action::pan_right:
-        case Action::pan_up:
-        case Action::pan_down:
-        case Action::photograph:
-        case Action::as_it_was:
-        case Action::keep_to_compare:
-        case Action::lighter:
-        case Action::darker:
-        case Action::toggle_panels:
-        case Action::full_screen:
-            return ActionGroup::view;
-        case Action::undo:
-        case Action::redo:
-        case Action::crop:
-        case Action::mask:
-        case Action::rotate:
-        case Action::variations:
-        case Action::smaller_brush:
-        case Action::larger_brush:
-        case Action::play:
-        case Action::film_growth:
-        case Action::film_plot:
-            return ActionGroup::drawing;
-        case Action::method:
-        case Action::toggle_tiles:
-        case Action::compare:
-        case Action::loupe:
-        case Action::explain_dots:
-        case Action::film_levels:
-        case Action::film_zoom:
-            return ActionGroup::method;
-        case Action::help:
-        case Action::palette:
-        case Action::preferences:
-        case Action::about:
-        case Action::quit:
-            return ActionGroup::program;
-    }
-    return ActionGroup::program;
+    constexpr std::array kLast{Action::back, Action::full_screen, Action::film_plot, Action::film_zoom};
+    return static_cast<ActionGroup>(std::ranges::lower_bound(kLast, action) - kLast.begin());
 }
 
 std::string with_keys(std::string_view tip, Action action) {

@@ -12,8 +12,9 @@ namespace dapple {
 
 enum class SeenInstead;  // see compared_panes.h
 
+/// In the order of their groups: see group_of().
 enum class Action {
-    open,
+    open,  // files
     open_tile,
     find_picture,  // that a project is to have, as where its own is missing
     open_mask,
@@ -21,10 +22,11 @@ enum class Action {
     save,
     save_as,
     save_project,
+    save_film,
     copy_picture,
-    undo,
-    redo,
-    fit,
+    as_lights,  // the picture is an environment map
+    back,       // from an environment map to the drawing that it was opened from
+    fit,        // the view
     one_to_one,
     zoom_in,
     zoom_out,
@@ -32,33 +34,32 @@ enum class Action {
     pan_right,
     pan_up,
     pan_down,
-    toggle_tiles,
-    compare,
-    loupe,
-    explain_dots,
-    play,  // or rest, while a film is shown
-    film_growth,
-    film_levels,
-    film_zoom,
-    film_plot,
-    save_film,
+    photograph,  // in the drawing's place until it is asked for again, or while a key is held: see
+    as_it_was,   // comparison_held()
+    keep_to_compare,
+    lighter,
+    darker,
+    toggle_panels,
+    full_screen,
+    undo,  // the drawing
+    redo,
     crop,  // tools, which take the column's place until they are asked for again
     mask,
     rotate,
     variations,
-    method,  // what students look at, likewise
     smaller_brush,
     larger_brush,
-    photograph,  // in the drawing's place until it is asked for again, or while a key is held: see
-    as_it_was,   // comparison_held()
-    keep_to_compare,
-    toggle_panels,
-    full_screen,
-    lighter,
-    darker,
-    as_lights,  // the picture is an environment map
-    back,       // from an environment map to the drawing that it was opened from
-    help,
+    play,  // or rest, while a film is shown
+    film_growth,
+    film_plot,
+    method,  // what students look at, in the column's place likewise
+    toggle_tiles,
+    compare,
+    loupe,
+    explain_dots,
+    film_levels,
+    film_zoom,
+    help,  // the program
     palette,
     preferences,
     about,

@@ -4,13 +4,8 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
-#include "app/viewer/panels/method_panels.h"
-#include "app/viewer/panels/settings_panels.h"
-#include "app/viewer/panels/window_panels.h"
-#include "app/viewer/widgets/theme.h"
 #include "app/viewer/widgets/widgets.h"
 #include "core/image/auto_tone.h"
 

@@ -8,7 +8,7 @@
 
 #include "app/viewer/widgets/theme.h"
 #include "app/viewer/widgets/widgets.h"
-#include "core/text/shown_text.h"
+#include "core/text/number_words.h"
 
 namespace dapple {
 namespace {
@@ -85,16 +85,12 @@ std::vector<StatusItem> fitting(std::vector<StatusItem> items, float width) {
 }
 
 void draw_status_line(glm::vec2 corner, glm::vec2 size, const StatusInfo& info) {
-    ImGui::SetNextWindowPos({corner.x, corner.y});
-    ImGui::SetNextWindowSize({std::max(size.x, 1.0f), std::max(size.y, 1.0f)});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
     float air = (size.y - ImGui::GetTextLineHeight()) / 2;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ImGui::GetStyle().WindowPadding.x, air});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
-    ImGui::Begin("##status", nullptr,
-                 kNeverAsksForFocus | ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                     ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoInputs |
-                     ImGuiWindowFlags_NoBringToFrontOnFocus);
+    begin_bare("##status", {corner.x, corner.y}, {size.x, size.y},
+               ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoBringToFrontOnFocus);
     if (const auto share = progress_of(info)) {
         const float bar = 3 * ImGui::GetTextLineHeight() / 15;
         const auto done = static_cast<float>(*share) * size.x;

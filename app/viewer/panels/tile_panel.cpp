@@ -11,7 +11,7 @@
 #include "app/viewer/background/dot_blocks.h"
 #include "app/viewer/widgets/theme.h"
 #include "app/viewer/widgets/widgets.h"
-#include "core/text/shown_text.h"
+#include "core/text/number_words.h"
 #include "io/files/tile_library.h"
 
 namespace dapple {

@@ -1,7 +1,5 @@
 #include "app/viewer/panels/settings_panels.h"
 
-#include <imgui.h>
-
 #include <algorithm>
 
 #include "app/viewer/widgets/widgets.h"
@@ -110,9 +108,7 @@ void take_own_tone(DrawingSettings& settings, const Tone& tone, const Tone& usua
 bool draw_photograph(float& opacity) {
     double percent = 100 * double{opacity};
     if (!slider_row("Photo beneath", percent,
-                    {.min = 0,
-                     .max = 100,
-                     .neutral = 0,
+                    {.max = 100,
                      .format = "%.0f %%",
                      .tip = "How much of the photograph shows through under the dots; holding C shows all of "
                             "it. Files have none of it."}))

@@ -15,14 +15,11 @@ std::optional<std::size_t> draw_variations(const std::array<Variation, 9>& varia
                                            const std::function<EntryPicture(const DrawingSettings&)>& preview,
                                            glm::vec2 corner, glm::vec2 size) {
     constexpr std::size_t kMiddle = 4, kARow = 3;
-    ImGui::SetNextWindowPos({corner.x, corner.y});
-    ImGui::SetNextWindowSize({size.x, size.y});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
     ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetColorU32(colour_of(ThemeColour::surround)));
-    ImGui::Begin("##variations", nullptr,
-                 kNeverAsksForFocus | ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                     ImGuiWindowFlags_NoNavInputs | ImGuiWindowFlags_NoBringToFrontOnFocus);
+    begin_bare("##variations", {corner.x, corner.y}, {size.x, size.y},
+               ImGuiWindowFlags_NoNavInputs | ImGuiWindowFlags_NoBringToFrontOnFocus);
     const float line = ImGui::GetTextLineHeight();
     const ImVec2 room = ImGui::GetContentRegionAvail(), first = ImGui::GetCursorScreenPos();
     const float width = std::floor(room.x / kARow), height = std::floor((room.y - 1.5f * line) / kARow);

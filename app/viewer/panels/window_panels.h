@@ -190,8 +190,6 @@ std::optional<std::size_t> draw_variations(const std::array<Variation, 9>& varia
                                            const std::function<EntryPicture(const DrawingSettings&)>& preview,
                                            glm::vec2 corner, glm::vec2 size);
 
-// The list of keys.
-
 /// The list of keys over everything else, while `open`; a click outside or Escape closes it.
 void draw_help_panel(bool& open, std::span<const Shortcut> shortcuts);
 

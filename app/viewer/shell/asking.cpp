@@ -4,12 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <initializer_list>
-#include <optional>
-#include <string>
 #include <utility>
 
 #include "app/viewer/shell/window.h"
-#include "app/viewer/widgets/dialog.h"
 #include "app/viewer/widgets/keys.h"
 #include "app/viewer/widgets/picture_entry.h"
 #include "app/viewer/widgets/row.h"

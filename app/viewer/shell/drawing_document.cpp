@@ -1,11 +1,7 @@
 #include "app/viewer/shell/drawing_document.h"
 
-#include <fmt/format.h>
-
 #include <imgui.h>
 #include <algorithm>
-#include <chrono>
-#include <glm/common.hpp>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
@@ -13,13 +9,11 @@
 
 #include "app/viewer/background/mipmaps.h"
 #include "app/viewer/background/small_pictures.h"
-#include "app/viewer/canvas/loupe.h"
 #include "app/viewer/canvas/page_frame.h"
 #include "app/viewer/canvas/pane_view.h"
 #include "app/viewer/desktop/pasted_picture.h"
 #include "app/viewer/panels/export_panel.h"
 #include "app/viewer/panels/settings_panels.h"
-#include "app/viewer/panels/window_panels.h"
 #include "app/viewer/shell/lights_document.h"
 #include "app/viewer/shell/status_log.h"
 #include "app/viewer/shell/window.h"

@@ -282,8 +282,7 @@ bool FileDialog::draw_path() {
     if (typing && !path_has_keys_) ++path_turn_;
     // Enter also counts where the field has no keyboard: not yet, in the first frames, or no longer.
     const bool others_have_keys = !path_has_keys_ && a_row_has_keys();
-    if (!others_have_keys && (activated || !ImGui::IsAnyItemActive()))
-        entered = entered || key_pressed(Key::enter) || key_pressed(Key::keypad_enter);
+    if (!others_have_keys && (activated || !ImGui::IsAnyItemActive())) entered = entered || enter_pressed();
     if (path_has_keys_ && !typing && !entered) type_on();  // walked to
     return entered;
 }

@@ -7,7 +7,7 @@
 #include "app/viewer/canvas/page_frame.h"
 #include "app/viewer/panels/window_panels.h"
 #include "app/viewer/shell/window.h"
-#include "core/text/shown_text.h"
+#include "core/text/number_words.h"
 
 namespace dapple {
 

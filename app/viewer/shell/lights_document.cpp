@@ -10,7 +10,6 @@
 #include "app/viewer/panels/lights_panel.h"
 #include "app/viewer/panels/side_panel.h"
 #include "app/viewer/panels/window_panels.h"
-#include "app/viewer/shell/status_log.h"
 #include "app/viewer/shell/window.h"
 #include "app/viewer/view/camera.h"
 #include "app/viewer/widgets/theme.h"
@@ -193,13 +192,13 @@ double LightsDocument::seconds_to_next_frame() const {
 
 std::optional<nlohmann::ordered_json> LightsDocument::status() const {
     if (!session_.samples().found) return std::nullopt;
-    return status_json({.samples = session_.samples().places.size(),
-                        .samplings = session_.samplings(),
-                        .sampling = session_.sampling(),
-                        .stops = session_.settings.stops,
-                        .difference = session_.samples().info.irradiance.mean,
-                        .zoom = camera_.pixels_per_unit / camera_.canvas.x,
-                        .saving = session_.saving()});
+    return nlohmann::ordered_json{{"samples", session_.samples().places.size()},
+                                  {"samplings", session_.samplings()},
+                                  {"sampling", session_.sampling()},
+                                  {"stops", session_.settings.stops},
+                                  {"difference", session_.samples().info.irradiance.mean},
+                                  {"zoom", camera_.pixels_per_unit / camera_.canvas.x},
+                                  {"saving", session_.saving()}};
 }
 
 }  // namespace dapple

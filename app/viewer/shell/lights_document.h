@@ -33,6 +33,9 @@ class LightsDocument : public Document {
     void draw(const Frame& frame) override;
     void draw_rows() override;
     double seconds_to_next_frame() const override;
+    /// {"samples": .., "samplings": .., "sampling": .., "stops": .., "difference": .., "zoom": .., "saving":
+    /// ..}: samplings since the start, whether another is under way, LightsSettings::stops, the mean error of
+    /// the irradiance, how many times larger than fitted the map is, whether a file is being written.
     std::optional<nlohmann::ordered_json> status() const override;
 
  private:

@@ -4,7 +4,6 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
-#include <algorithm>
 #include <chrono>
 #include <system_error>
 #include <thread>
@@ -14,7 +13,6 @@
 #include "core/settings/fields.h"
 #include "core/settings/settings_text.h"
 #include "core/text/shown_text.h"
-#include "io/descriptor.h"
 #include "io/files/atomic_file.h"
 #include "io/settings/project.h"
 

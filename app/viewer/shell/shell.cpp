@@ -8,14 +8,11 @@
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <utility>
 
 #include "app/viewer/desktop/pasted_picture.h"
 #include "app/viewer/model/session.h"
 #include "app/viewer/model/tile_choices.h"
 #include "app/viewer/panels/window_panels.h"
-#include "app/viewer/shell/asking.h"
-#include "core/text/shown_text.h"
 #include "io/files/tile_library.h"
 #include "io/settings/xdg_folders.h"
 
@@ -86,17 +83,33 @@ LengthUnit* unit_of(Document& document) {
     return session ? &session->settings.unit : nullptr;
 }
 
+// A row that several formats have is listed once: for the format that the dialog begins with, if that has it.
+void list_export_rows(const SaveQuestion& question, Document& document, std::vector<ListedRow>& rows) {
+    const std::size_t before = rows.size(), first = format_of(question, question.start).value_or(0);
+    const auto list = [&](std::size_t format) {
+        section(kExportRows);
+        subsection(question.formats[format].name);
+        const auto known = static_cast<std::ptrdiff_t>(rows.size());
+        document.draw_saving_rows(format);
+        const auto is_known = [&](const ListedRow& row) {
+            return std::any_of(rows.begin() + static_cast<std::ptrdiff_t>(before), rows.begin() + known,
+                               [&](const ListedRow& other) { return other.label == row.label; });
+        };
+        rows.erase(std::remove_if(rows.begin() + known, rows.end(), is_known), rows.end());
+    };
+    list(first);
+    for (std::size_t format = 0; format < question.formats.size(); ++format)
+        if (format != first) list(format);
+}
+
 // The canvas's right edge, which a mouse drags; whether one does.
 bool drag_edge(glm::vec2 canvas, float scale) {
     constexpr float kHalf = 3;
-    ImGui::SetNextWindowPos({canvas.x - kHalf * scale, 0});
-    ImGui::SetNextWindowSize({2 * kHalf * scale, canvas.y});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
-    ImGui::Begin("##edge", nullptr,
-                 kNeverAsksForFocus | ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                     ImGuiWindowFlags_NoNavInputs | ImGuiWindowFlags_NoBackground);
+    begin_bare("##edge", {canvas.x - kHalf * scale, 0}, {2 * kHalf * scale, canvas.y},
+               ImGuiWindowFlags_NoNavInputs | ImGuiWindowFlags_NoBackground);
     press_area("edge", {2 * kHalf * scale, canvas.y});
     note_place("Panels' edge");
     const bool held = ImGui::IsItemActive();
@@ -169,14 +182,6 @@ bool Shell::may_close(std::unique_ptr<Document>& document) {
     window_.stay_open();
     leaving_.begin({});
     return false;
-}
-
-void Shell::open_answer(const FileQuestion::Answer& answer, Document& document) {
-    const Session* const session = document.session();
-    if (session && session->would_lose_changes(answer.file))
-        leaving_.begin({answer});
-    else
-        go_on({answer}, document);
 }
 
 void Shell::go_on(const Successor& next, Document& document) {
@@ -353,7 +358,12 @@ void Shell::open_again(const std::filesystem::path& file, Document& document) {
 void Shell::draw_file_question(Document& document) {
     const auto answer =
         file_question_.draw([&](const auto& file) { return document.is_picture_with_settings(file); });
-    if (answer) open_answer(*answer, document);
+    if (!answer) return;
+    const Session* const session = document.session();
+    if (session && session->would_lose_changes(answer->file))
+        leaving_.begin({*answer});
+    else
+        go_on({*answer}, document);
 }
 
 std::filesystem::path Shell::folder_to_open() const {
@@ -365,11 +375,8 @@ std::filesystem::path Shell::folder_to_open() const {
 
 // In a window beyond the screen: what panels draw beside rows has to be in one.
 void Shell::list_rows(Document& document, std::vector<ListedRow>& rows, const ListedRow* taken, int value) {
-    ImGui::SetNextWindowPos({-9999, -9999});
-    ImGui::SetNextWindowSize({300, 300});
-    ImGui::Begin("##listed", nullptr,
-                 kNeverAsksForFocus | ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
-                     ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus);
+    begin_bare("##listed", {-9999, -9999}, {300, 300},
+               ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus);
     {
         const RowListing listing(rows, taken, value);
         document.draw_rows();
@@ -381,25 +388,6 @@ void Shell::list_rows(Document& document, std::vector<ListedRow>& rows, const Li
             list_export_rows(*question, document, rows);
     }
     ImGui::End();
-}
-
-// A row that several formats have is listed once: for the format that the dialog begins with, if that has it.
-void Shell::list_export_rows(const SaveQuestion& question, Document& document, std::vector<ListedRow>& rows) {
-    const std::size_t before = rows.size(), first = format_of(question, question.start).value_or(0);
-    const auto list = [&](std::size_t format) {
-        section(kExportRows);
-        subsection(question.formats[format].name);
-        const auto known = static_cast<std::ptrdiff_t>(rows.size());
-        document.draw_saving_rows(format);
-        const auto is_known = [&](const ListedRow& row) {
-            return std::any_of(rows.begin() + static_cast<std::ptrdiff_t>(before), rows.begin() + known,
-                               [&](const ListedRow& other) { return other.label == row.label; });
-        };
-        rows.erase(std::remove_if(rows.begin() + known, rows.end(), is_known), rows.end());
-    };
-    list(first);
-    for (std::size_t format = 0; format < question.formats.size(); ++format)
-        if (format != first) list(format);
 }
 
 void Shell::take_row(const ListedRow& row, int value, Document& document) {

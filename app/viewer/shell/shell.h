@@ -67,7 +67,6 @@ class Shell {
     /// Whether the window may go: what is not saved is asked about first.
     bool may_close(std::unique_ptr<Document>& document);
     void go_back(std::unique_ptr<Document>& document);
-    void open_answer(const FileQuestion::Answer& answer, Document& document);
     void go_on(const Successor& next, Document& document);
     /// About what would be lost; none of the other dialogs is drawn beside these.
     bool draw_questions(Document& document);
@@ -91,8 +90,6 @@ class Shell {
     // Lists the rows of the panels and the preferences; the row `taken`, if there is one, takes its `value`.
     void list_rows(Document& document, std::vector<ListedRow>& rows, const ListedRow* taken = nullptr,
                    int value = -1);
-    static void list_export_rows(const SaveQuestion& question, Document& document,
-                                 std::vector<ListedRow>& rows);
     void take_row(const ListedRow& row, int value, Document& document);
     void take_preferences(bool desktop);
     /// What is to be there on the next day, and what went wrong with it.

@@ -24,12 +24,6 @@ nlohmann::ordered_json status_json(const StatusInfo& info, std::uint64_t placing
     return line;
 }
 
-nlohmann::ordered_json status_json(const LightStatus& status) {
-    return {{"samples", status.samples}, {"samplings", status.samplings},   {"sampling", status.sampling},
-            {"stops", status.stops},     {"difference", status.difference}, {"zoom", status.zoom},
-            {"saving", status.saving}};
-}
-
 void StatusLog::took(double frame_ms, double work_ms) {
     if (!ready_ || frames_++ == 0) return;
     longest_frame_ms_ = std::max(longest_frame_ms_, frame_ms);

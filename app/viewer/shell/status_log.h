@@ -1,7 +1,6 @@
 #pragma once
 // What the window tells programs that drive it.
 
-#include <cstddef>
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -18,20 +17,6 @@ namespace dapple {
 /// "layers": .., "level": ..}}. placings counts since the start. "right" is there while the split view shows
 /// dots (an unknown repetition is null), "loupe" while the lens shows something.
 nlohmann::ordered_json status_json(const StatusInfo& info, std::uint64_t placings);
-
-struct LightStatus {
-    std::size_t samples = 0;
-    std::uint64_t samplings = 0;  // since the start
-    bool sampling = false;        // another is under way
-    double stops = 0;             // LightsSettings::stops
-    double difference = 0;        // LightsInfo::irradiance.mean
-    double zoom = 1;              // how many times larger than fitted the map is
-    bool saving = false;          // a file is being written
-};
-
-/// What an environment map's window tells: {"samples": .., "samplings": .., "sampling": .., "stops": ..,
-/// "difference": .., "zoom": .., "saving": ..}.
-nlohmann::ordered_json status_json(const LightStatus& status);
 
 /// Says "ready" on the standard output once something is shown, and then, if it was asked for, a line of JSON
 /// whenever something in the window changed: what the document tells, and what both kinds have:

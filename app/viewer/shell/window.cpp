@@ -10,21 +10,16 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <cstdint>
 #include <cstdio>
 #include <glm/common.hpp>
 #include <iterator>
-#include <memory>
-#include <span>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "app/viewer/widgets/keys.h"
 #include "app/viewer/widgets/widgets.h"
-#include "core/image/rectangle.h"
 #include "dapple_assets_embedded/assets.h"
 
 namespace dapple {
@@ -35,23 +30,10 @@ using EventKind = InputEvent::Kind;
 
 /// The bit of the modifier that the event's key is; 0: it is none.
 int modifier_of(const InputEvent& event) {
-    if (event.kind != EventKind::key) return 0;
-    switch (event.code) {
-        case GLFW_KEY_LEFT_SHIFT:
-        case GLFW_KEY_RIGHT_SHIFT:
-            return GLFW_MOD_SHIFT;
-        case GLFW_KEY_LEFT_CONTROL:
-        case GLFW_KEY_RIGHT_CONTROL:
-            return GLFW_MOD_CONTROL;
-        case GLFW_KEY_LEFT_ALT:
-        case GLFW_KEY_RIGHT_ALT:
-            return GLFW_MOD_ALT;
-        case GLFW_KEY_LEFT_SUPER:
-        case GLFW_KEY_RIGHT_SUPER:
-            return GLFW_MOD_SUPER;
-        default:
-            return 0;
-    }
+    // Left ones, then right ones, each in the order of their bits.
+    static_assert(GLFW_KEY_RIGHT_SUPER == GLFW_KEY_LEFT_SHIFT + 7 && GLFW_MOD_SUPER == GLFW_MOD_SHIFT << 3);
+    const bool is_one = event.code >= GLFW_KEY_LEFT_SHIFT && event.code <= GLFW_KEY_RIGHT_SUPER;
+    return event.kind == EventKind::key && is_one ? 1 << (event.code - GLFW_KEY_LEFT_SHIFT) % 4 : 0;
 }
 
 bool is_modifier(const InputEvent& event) {
@@ -148,21 +130,6 @@ std::size_t screen_under(const Rectangle<int>& window, std::span<const Rectangle
     return best;
 }
 
-void set_window_icon(GLFWwindow* window) {
-    std::vector<std::unique_ptr<stbi_uc, decltype(&stbi_image_free)>> pixels;
-    std::vector<GLFWimage> icons;
-    for (std::string_view png : {assets::icon_16_png(), assets::icon_32_png(), assets::icon_64_png()}) {
-        GLFWimage icon{};
-        icon.pixels =
-            stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(png.data()), static_cast<int>(png.size()),
-                                  &icon.width, &icon.height, nullptr, 4);
-        if (!icon.pixels) continue;
-        pixels.emplace_back(icon.pixels, &stbi_image_free);
-        icons.push_back(icon);
-    }
-    glfwSetWindowIcon(window, static_cast<int>(icons.size()), icons.data());
-}
-
 namespace {
 
 constexpr int kDefaultWidth = 1280, kDefaultHeight = 800;
@@ -250,6 +217,22 @@ void clear_around(const Rectangle<int>& hole, glm::ivec2 window) {
         glClear(GL_COLOR_BUFFER_BIT);
     }
     glDisable(GL_SCISSOR_TEST);
+}
+
+// The built-in one, in the sizes that desktops ask for.
+void set_window_icon(GLFWwindow* window) {
+    std::vector<std::unique_ptr<stbi_uc, decltype(&stbi_image_free)>> pixels;
+    std::vector<GLFWimage> icons;
+    for (std::string_view png : {assets::icon_16_png(), assets::icon_32_png(), assets::icon_64_png()}) {
+        GLFWimage icon{};
+        icon.pixels =
+            stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(png.data()), static_cast<int>(png.size()),
+                                  &icon.width, &icon.height, nullptr, 4);
+        if (!icon.pixels) continue;
+        pixels.emplace_back(icon.pixels, &stbi_image_free);
+        icons.push_back(icon);
+    }
+    glfwSetWindowIcon(window, static_cast<int>(icons.size()), icons.data());
 }
 
 void put_where_it_was(GLFWwindow* window, const WindowPlace& place) {
@@ -392,19 +375,15 @@ void Window::follow_content_scale() {
     content_scale_ = scale;
     applied_ = appearance_;
     apply_theme(appearance_, scale);
-    set_smallest_size();
+    const auto scaled = [&](int size) { return static_cast<int>(static_cast<float>(size) * content_scale_); };
+    glfwSetWindowSizeLimits(window_, scaled(kSmallestWidth), scaled(kSmallestHeight), GLFW_DONT_CARE,
+                            GLFW_DONT_CARE);
     if (again) {
 #if IMGUI_VERSION_NUM < 19200  // later it follows by itself
         ImGui_ImplOpenGL3_DestroyFontsTexture();
         ImGui_ImplOpenGL3_CreateFontsTexture();
 #endif
     }
-}
-
-void Window::set_smallest_size() {
-    const auto scaled = [&](int size) { return static_cast<int>(static_cast<float>(size) * content_scale_); };
-    glfwSetWindowSizeLimits(window_, scaled(kSmallestWidth), scaled(kSmallestHeight), GLFW_DONT_CARE,
-                            GLFW_DONT_CARE);
 }
 
 void Window::forget_typed() {
@@ -417,7 +396,6 @@ bool Window::input_waits() const {
 }
 
 void Window::hear() {
-    using Kind = InputEvent::Kind;
     glfwSetWindowUserPointer(window_, this);
     glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** paths) {
         auto& dropped = window_of(window).dropped_;
@@ -427,73 +405,74 @@ void Window::hear() {
     glfwSetFramebufferSizeCallback(window_,
                                    [](GLFWwindow* window, int, int) { window_of(window).damaged_ = true; });
     glfwSetWindowFocusCallback(window_, [](GLFWwindow* window, int came) {
-        window_of(window).input_.push({.kind = Kind::focus, .code = came});
+        window_of(window).input_.push({.kind = EventKind::focus, .code = came});
     });
     glfwSetCursorEnterCallback(window_, [](GLFWwindow* window, int came) {
-        window_of(window).input_.push({.kind = Kind::enter, .code = came});
+        window_of(window).input_.push({.kind = EventKind::enter, .code = came});
     });
     glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double x, double y) {
-        window_of(window).input_.push({.kind = Kind::position, .x = x, .y = y});
+        window_of(window).input_.push({.kind = EventKind::position, .x = x, .y = y});
     });
     glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int button, int action, int modifiers) {
-        window_of(window).input_.push(
-            {.kind = Kind::button, .code = button, .down = action == GLFW_PRESS, .modifiers = modifiers});
+        window_of(window).input_.push({.kind = EventKind::button,
+                                       .code = button,
+                                       .down = action == GLFW_PRESS,
+                                       .modifiers = modifiers});
     });
     glfwSetScrollCallback(window_, [](GLFWwindow* window, double x, double y) {
-        window_of(window).input_.push({.kind = Kind::wheel, .x = x, .y = y});
+        window_of(window).input_.push({.kind = EventKind::wheel, .x = x, .y = y});
     });
     glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int scancode, int action, int modifiers) {
         if (action == GLFW_REPEAT || key == GLFW_KEY_UNKNOWN) return;  // ImGui repeats keys itself
-        window_of(window).input_.push({.kind = Kind::key,
+        window_of(window).input_.push({.kind = EventKind::key,
                                        .code = printed_key(key, scancode),
                                        .scancode = scancode,
                                        .down = action == GLFW_PRESS,
                                        .modifiers = modifiers});
     });
     glfwSetCharCallback(window_, [](GLFWwindow* window, unsigned int letter) {
-        window_of(window).input_.push({.kind = Kind::text, .letter = letter});
+        window_of(window).input_.push({.kind = EventKind::text, .letter = letter});
     });
     glfwGetCursorPos(window_, &pointer_.x, &pointer_.y);
 }
 
 void Window::feed(const InputEvent& event) {
-    using Kind = InputEvent::Kind;
     switch (event.kind) {
-        case Kind::focus:
+        case EventKind::focus:
             return ImGui_ImplGlfw_WindowFocusCallback(window_, event.code);
-        case Kind::enter:
+        case EventKind::enter:
             return ImGui_ImplGlfw_CursorEnterCallback(window_, event.code);
-        case Kind::position:
+        case EventKind::position:
             pointer_ = {event.x, event.y};
             pointer_moved_ = std::chrono::steady_clock::now();
 #if IMGUI_VERSION_NUM >= 18700
             ImGui_ImplGlfw_CursorPosCallback(window_, event.x, event.y);
 #endif
             return;
-        case Kind::text:
+        case EventKind::text:
             return ImGui::GetIO().AddInputCharacter(event.letter);
 #if IMGUI_VERSION_NUM < 18700
-        case Kind::button:
+        case EventKind::button:
             if (event.code >= 0 && event.code < static_cast<int>(buttons_.size()))
                 buttons_[static_cast<std::size_t>(event.code)] = event.down;
             return ImGui_ImplGlfw_MouseButtonCallback(
                 window_, event.code, event.down ? GLFW_PRESS : GLFW_RELEASE, event.modifiers);
-        case Kind::wheel:
+        case EventKind::wheel:
             return ImGui_ImplGlfw_ScrollCallback(window_, event.x, event.y);
-        case Kind::key:
+        case EventKind::key:
             return ImGui_ImplGlfw_KeyCallback(window_, event.code, event.scancode,
                                               event.down ? GLFW_PRESS : GLFW_RELEASE, event.modifiers);
 #else
         // Not by ImGui's part for GLFW: that asks which modifiers are down now, which is too late.
-        case Kind::button:
+        case EventKind::button:
             put_modifiers(modifiers_after(event));
             if (event.code < ImGuiMouseButton_COUNT)
                 ImGui::GetIO().AddMouseButtonEvent(event.code, event.down);
             return;
-        case Kind::wheel:
+        case EventKind::wheel:
             return ImGui::GetIO().AddMouseWheelEvent(static_cast<float>(event.x),
                                                      static_cast<float>(event.y));
-        case Kind::key:
+        case EventKind::key:
             put_modifiers(modifiers_after(event));
             if (const ImGuiKey key = imgui_key(event.code)) ImGui::GetIO().AddKeyEvent(key, event.down);
             return;

@@ -66,11 +66,6 @@ bool is_within_reach(const Rectangle<int>& window, std::span<const Rectangle<int
 /// Which screen most of the window is on; the first where it is on none.
 std::size_t screen_under(const Rectangle<int>& window, std::span<const Rectangle<int>> screens);
 
-// A window's icon.
-
-/// Gives the window the built-in icon in the sizes that desktops ask for.
-void set_window_icon(GLFWwindow* window);
-
 class Window {
  public:
     /// Opens it. Throws std::runtime_error if there is no display or no OpenGL 3.3.
@@ -130,7 +125,6 @@ class Window {
  private:
     struct Library;  // GLFW itself
     void follow_content_scale();
-    void set_smallest_size();
     void hear();
     void feed(const InputEvent& event);
 

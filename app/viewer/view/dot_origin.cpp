@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/image/density.h"
-#include "core/text/shown_text.h"
+#include "core/text/number_words.h"
 
 namespace dapple {
 namespace {

@@ -3,15 +3,12 @@
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
-#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/gtc/type_precision.hpp>
 #include <optional>
-
-#include "core/output/sample_band.h"
 
 namespace dapple {
 

@@ -1,7 +1,6 @@
 #include "app/viewer/view/shown_plot.h"
 
 #include <algorithm>
-#include <exception>
 #include <utility>
 
 #include "io/files/save_drawing.h"

@@ -5,7 +5,6 @@
 #include <functional>
 #include <glm/vec2.hpp>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "app/viewer/background/background.h"

@@ -9,9 +9,6 @@
 #include <limits>
 #include <utility>
 
-#include "app/viewer/background/dot_blocks.h"
-#include "core/analysis/spectrum.h"
-
 namespace dapple {
 namespace {
 

@@ -31,8 +31,7 @@ std::optional<int> draw_list(int marked_at_first, std::span<const char* const> n
     ImGuiStorage* const storage = ImGui::GetStateStorage();
     const ImGuiID mark = ImGui::GetID("marked");
     const auto entries = static_cast<int>(names.size());
-    const auto down = [](Key key) { return ImGui::IsKeyPressed(key_code(key), true) ? 1 : 0; };
-    const int walked = down(Key::down) - down(Key::up);
+    const int walked = step_between(Key::up, Key::down);
     if (ImGui::IsWindowAppearing()) storage->SetInt(mark, marked_at_first);
     const int marked = std::clamp(storage->GetInt(mark) + walked, 0, std::max(entries - 1, 0));
     storage->SetInt(mark, marked);
@@ -44,7 +43,7 @@ std::optional<int> draw_list(int marked_at_first, std::span<const char* const> n
         if (clicked) taken = i;
         if (i == marked && (walked != 0 || ImGui::IsWindowAppearing())) ImGui::SetScrollHereY();
     }
-    if (key_pressed(Key::enter) || key_pressed(Key::keypad_enter)) taken = marked;
+    if (enter_pressed()) taken = marked;
     if (taken) ImGui::CloseCurrentPopup();
     take_keyboard();
     return taken;

@@ -1,6 +1,5 @@
 #include "app/viewer/widgets/dialog.h"
 
-#include <imgui.h>
 #include <algorithm>
 #include <cctype>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 // Dear ImGui's keyboard and mouse in one language for all of its releases: up to 1.86 keys are GLFW's codes
 // and input is written into ImGuiIO; from 1.87 on keys have names and input goes in as events. Besides
-// this header only window.cpp asks which release it is, where it hands GLFW's events on.
+// this header only window.cpp, where it hands GLFW's events on, and tests ask which release it is.
 
 #include <GLFW/glfw3.h>
 #include <imgui.h>
@@ -10,132 +10,57 @@
 
 namespace dapple {
 
-/// The keys that mean something here, by what is printed on them.
-enum class Key {
-    b,
-    c,
-    d,
-    e,
-    f,
-    i,
-    l,
-    m,
-    o,
-    p,
-    q,
-    r,
-    s,
-    t,
-    v,
-    w,
-    x,
-    y,
-    z,
-    zero,
-    comma,
-    backslash,
-    up,
-    down,
-    left,
-    right,
-    space,
-    tab,
-    enter,
-    keypad_enter,
-    escape,
-    backspace,
-    end,
-    f1,
-    f11,
-};
-
 #if IMGUI_VERSION_NUM < 18700
 using ImGuiKeyCode = int;
+#define DAPPLE_KEY(glfw, imgui) GLFW_KEY_##glfw
 #else
 using ImGuiKeyCode = ImGuiKey;
+#define DAPPLE_KEY(glfw, imgui) ImGuiKey_##imgui
 #endif
+
+/// The keys that mean something here, by what is printed on them.
+enum class Key : int {
+    b = DAPPLE_KEY(B, B),
+    c = DAPPLE_KEY(C, C),
+    d = DAPPLE_KEY(D, D),
+    e = DAPPLE_KEY(E, E),
+    f = DAPPLE_KEY(F, F),
+    i = DAPPLE_KEY(I, I),
+    l = DAPPLE_KEY(L, L),
+    m = DAPPLE_KEY(M, M),
+    o = DAPPLE_KEY(O, O),
+    p = DAPPLE_KEY(P, P),
+    q = DAPPLE_KEY(Q, Q),
+    r = DAPPLE_KEY(R, R),
+    s = DAPPLE_KEY(S, S),
+    t = DAPPLE_KEY(T, T),
+    v = DAPPLE_KEY(V, V),
+    w = DAPPLE_KEY(W, W),
+    x = DAPPLE_KEY(X, X),
+    y = DAPPLE_KEY(Y, Y),
+    z = DAPPLE_KEY(Z, Z),
+    zero = DAPPLE_KEY(0, 0),
+    comma = DAPPLE_KEY(COMMA, Comma),
+    backslash = DAPPLE_KEY(BACKSLASH, Backslash),
+    up = DAPPLE_KEY(UP, UpArrow),
+    down = DAPPLE_KEY(DOWN, DownArrow),
+    left = DAPPLE_KEY(LEFT, LeftArrow),
+    right = DAPPLE_KEY(RIGHT, RightArrow),
+    space = DAPPLE_KEY(SPACE, Space),
+    tab = DAPPLE_KEY(TAB, Tab),
+    enter = DAPPLE_KEY(ENTER, Enter),
+    keypad_enter = DAPPLE_KEY(KP_ENTER, KeypadEnter),
+    escape = DAPPLE_KEY(ESCAPE, Escape),
+    backspace = DAPPLE_KEY(BACKSPACE, Backspace),
+    end = DAPPLE_KEY(END, End),
+    f1 = DAPPLE_KEY(F1, F1),
+    f11 = DAPPLE_KEY(F11, F11),
+};
+#undef DAPPLE_KEY
 
 /// What IsKeyPressed() and IsKeyDown() take.
 inline ImGuiKeyCode key_code(Key key) {
-#if IMGUI_VERSION_NUM < 18700
-#define DAPPLE_KEY(glfw, imgui) GLFW_KEY_##glfw
-#else
-#define DAPPLE_KEY(glfw, imgui) ImGuiKey_##imgui
-#endif
-    switch (key) {
-        case Key::b:
-            return DAPPLE_KEY(B, B);
-        case Key::c:
-            return DAPPLE_KEY(C, C);
-        case Key::d:
-            return DAPPLE_KEY(D, D);
-        case Key::e:
-            return DAPPLE_KEY(E, E);
-        case Key::f:
-            return DAPPLE_KEY(F, F);
-        case Key::i:
-            return DAPPLE_KEY(I, I);
-        case Key::l:
-            return DAPPLE_KEY(L, L);
-        case Key::m:
-            return DAPPLE_KEY(M, M);
-        case Key::o:
-            return DAPPLE_KEY(O, O);
-        case Key::p:
-            return DAPPLE_KEY(P, P);
-        case Key::q:
-            return DAPPLE_KEY(Q, Q);
-        case Key::r:
-            return DAPPLE_KEY(R, R);
-        case Key::s:
-            return DAPPLE_KEY(S, S);
-        case Key::t:
-            return DAPPLE_KEY(T, T);
-        case Key::v:
-            return DAPPLE_KEY(V, V);
-        case Key::w:
-            return DAPPLE_KEY(W, W);
-        case Key::x:
-            return DAPPLE_KEY(X, X);
-        case Key::y:
-            return DAPPLE_KEY(Y, Y);
-        case Key::z:
-            return DAPPLE_KEY(Z, Z);
-        case Key::zero:
-            return DAPPLE_KEY(0, 0);
-        case Key::comma:
-            return DAPPLE_KEY(COMMA, Comma);
-        case Key::backslash:
-            return DAPPLE_KEY(BACKSLASH, Backslash);
-        case Key::up:
-            return DAPPLE_KEY(UP, UpArrow);
-        case Key::down:
-            return DAPPLE_KEY(DOWN, DownArrow);
-        case Key::left:
-            return DAPPLE_KEY(LEFT, LeftArrow);
-        case Key::right:
-            return DAPPLE_KEY(RIGHT, RightArrow);
-        case Key::space:
-            return DAPPLE_KEY(SPACE, Space);
-        case Key::tab:
-            return DAPPLE_KEY(TAB, Tab);
-        case Key::enter:
-            return DAPPLE_KEY(ENTER, Enter);
-        case Key::keypad_enter:
-            return DAPPLE_KEY(KP_ENTER, KeypadEnter);
-        case Key::escape:
-            return DAPPLE_KEY(ESCAPE, Escape);
-        case Key::backspace:
-            return DAPPLE_KEY(BACKSPACE, Backspace);
-        case Key::end:
-            return DAPPLE_KEY(END, End);
-        case Key::f1:
-            return DAPPLE_KEY(F1, F1);
-        case Key::f11:
-            return DAPPLE_KEY(F11, F11);
-    }
-#undef DAPPLE_KEY
-    return {};
+    return static_cast<ImGuiKeyCode>(key);
 }
 
 /// Went down since the last frame; a key that is held does so once.
@@ -144,6 +69,15 @@ inline bool key_pressed(Key key) {
 }
 inline bool key_down(Key key) {
     return ImGui::IsKeyDown(key_code(key));
+}
+inline bool enter_pressed() {
+    return key_pressed(Key::enter) || key_pressed(Key::keypad_enter);
+}
+
+/// Which way two keys ask to go, 1, -1 or 0: they went down since the last frame, or repeat while they are
+/// held.
+inline int step_between(Key back, Key forward) {
+    return ImGui::IsKeyPressed(key_code(forward), true) - ImGui::IsKeyPressed(key_code(back), true);
 }
 
 /// Keys are not the window's until the next frame is over: io.WantCaptureKeyboard will say so.
@@ -160,7 +94,7 @@ inline ImTextureID texture_id(unsigned int gl_texture) {
     return (ImTextureID)(std::intptr_t)(gl_texture);  // whichever cast its type needs
 }
 
-// Input, between frames. Tests give it with these without a window.
+// Input, between frames.
 
 /// Once for each context.
 inline void prepare_input() {
@@ -174,14 +108,6 @@ inline void prepare_input() {
 #else
     // What lies in which frame is decided here: by input_queue.h, and by tests.
     ImGui::GetIO().ConfigInputTrickleEventQueue = false;
-#endif
-}
-
-inline void put_key(Key key, bool down) {
-#if IMGUI_VERSION_NUM < 18700
-    ImGui::GetIO().KeysDown[key_code(key)] = down;
-#else
-    ImGui::GetIO().AddKeyEvent(key_code(key), down);
 #endif
 }
 
@@ -252,21 +178,5 @@ inline ImGuiKey imgui_key(int glfw_key) {
     return ImGuiKey_None;
 }
 #endif
-
-inline void put_mouse_position(float x, float y) {
-#if IMGUI_VERSION_NUM < 18700
-    ImGui::GetIO().MousePos = {x, y};
-#else
-    ImGui::GetIO().AddMousePosEvent(x, y);
-#endif
-}
-
-inline void put_mouse_button(int button, bool down) {
-#if IMGUI_VERSION_NUM < 18700
-    ImGui::GetIO().MouseDown[button] = down;
-#else
-    ImGui::GetIO().AddMouseButtonEvent(button, down);
-#endif
-}
 
 }  // namespace dapple

@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <utility>
 
 #include "app/viewer/widgets/keys.h"
 #include "app/viewer/widgets/theme.h"
-#include "app/viewer/widgets/widgets.h"
 
 namespace dapple {
 
@@ -94,13 +92,12 @@ void walk(ImGuiID id, bool tab) {
 
 double arrow_step() {
     const ImGuiIO& io = ImGui::GetIO();
-    const auto down = [](Key key) { return ImGui::IsKeyPressed(key_code(key), true) ? 1 : 0; };
-    const int direction = down(Key::right) + down(Key::up) - down(Key::left) - down(Key::down);
+    const int direction = step_between(Key::left, Key::right) + step_between(Key::down, Key::up);
     return direction * (io.KeyShift ? 10 : io.KeyAlt ? 0.1 : 1);
 }
 
 void show_ring(ImGuiID id, ImVec2 low, ImVec2 high) {
-    if (auto* const notes = static_cast<WidgetNotes*>(ImGui::GetIO().UserData)) notes->row_with_keys = id;
+    if (WidgetNotes* const notes = widget_notes()) notes->row_with_keys = id;
     const float unit = ImGui::GetTextLineHeight() / 15;
     const ImVec2 a{low.x - 3 * unit, low.y - unit}, b{high.x + 3 * unit, high.y + unit};
     ImDrawList* list = ImGui::GetWindowDrawList();
@@ -114,7 +111,7 @@ void show_ring(ImGuiID id, ImVec2 low, ImVec2 high) {
 
 RowKeys row_keys(const char* name, ImVec2 low, ImVec2 high, bool typing) {
     const ImGuiID id = ImGui::GetID(name);
-    auto* const notes = static_cast<WidgetNotes*>(ImGui::GetIO().UserData);
+    WidgetNotes* const notes = widget_notes();
     const bool revealed = notes && notes->reveal && notes->reveal->label == name;
     if (revealed) {
         notes->reveal.reset();
@@ -135,7 +132,7 @@ RowKeys row_keys(const char* name, ImVec2 low, ImVec2 high, bool typing) {
     if (!kept(kCovered)) show_ring(id, low, high);
     // Nor is the key that brought it here its own.
     if (!here || !had || tab || typing || revealed) return {.focused = true};
-    const bool enter = key_pressed(Key::enter) || key_pressed(Key::keypad_enter);
+    const bool enter = enter_pressed();
     return {.focused = true,
             .press = enter || key_pressed(Key::space),
             .enter = enter,
@@ -233,9 +230,7 @@ bool begin_row(const char* label, Row& row, const LabelLook& look) {
 
 void end_row(const Row& row) {
     ImGui::PopID();
-    ImGui::SetCursorScreenPos({row.start.x, row.start.y + row.height + ImGui::GetStyle().ItemSpacing.y});
-    ImGui::Dummy({0, 0});
-    ImGui::SetCursorScreenPos({row.start.x, row.start.y + row.height + ImGui::GetStyle().ItemSpacing.y});
+    go_on_at({row.start.x, row.start.y + row.height + ImGui::GetStyle().ItemSpacing.y});
 }
 
 RowKeys keys_of(const char* label, const Row& row, bool typing) {

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <optional>
 #include <span>
-#include <string>
 
 #include "app/viewer/widgets/widgets.h"
 #include "core/settings/setting.h"
@@ -78,9 +77,6 @@ RowKeys keys_of(const char* label, const Row& row, bool typing = false);
 
 /// Which of so many entries the arrows choose next.
 int stepped(int chosen, double step, std::size_t entries);
-
-/// The tip of a setting's row.
-std::string sentence_of(const Setting& setting);
 
 /// Whether a tooltip may begin: one that appears beside a dialog, in the frame in which that opens, ends the
 /// program by an assertion of ImGui's (see kNeverAsksForFocus, which a tooltip cannot have).

@@ -12,7 +12,7 @@
 #include "app/viewer/widgets/keys.h"
 #include "app/viewer/widgets/row.h"
 #include "app/viewer/widgets/theme.h"
-#include "core/text/shown_text.h"
+#include "core/text/number_words.h"
 
 namespace dapple {
 namespace {
@@ -255,24 +255,6 @@ SliderRange range_of(const Setting& setting, const SliderNow& now) {
             .typed = setting.length ? TypedKind::length : TypedKind::number,
             .unit = now.unit,
             .tip = now.tip};
-}
-
-template <class Number>
-static bool row_of(const Setting& setting, Number& value, const SliderNow& now) {
-    const std::string tip = sentence_of(setting);
-    SliderRange range = range_of(setting, now);
-    if (!range.tip) range.tip = tip.c_str();
-    return slider_row(setting.names.row, value, range);
-}
-
-bool slider_row(const Setting& setting, double& value, const SliderNow& now) {
-    return row_of(setting, value, now);
-}
-bool slider_row(const Setting& setting, float& value, const SliderNow& now) {
-    return row_of(setting, value, now);
-}
-bool slider_row(const Setting& setting, int& value, const SliderNow& now) {
-    return row_of(setting, value, now);
 }
 
 }  // namespace dapple

@@ -1,8 +1,8 @@
 #include "app/viewer/widgets/theme.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstdint>
 #include <fstream>
 #include <string>
 #include <system_error>
@@ -36,27 +36,12 @@ const ThemeColours& palette_of(Theme theme) {
 // ImGui's style keeps the theme: each colour has a place there, some of them of things that nothing here
 // draws.
 ImGuiCol place_of(ThemeColour colour) {
-    switch (colour) {
-        case ThemeColour::surround:
-            return ImGuiCol_NavWindowingDimBg;
-        case ThemeColour::panel:
-            return ImGuiCol_WindowBg;
-        case ThemeColour::track:
-            return ImGuiCol_FrameBgActive;
-        case ThemeColour::line:
-            return ImGuiCol_Separator;
-        case ThemeColour::off:
-            return ImGuiCol_PlotLines;
-        case ThemeColour::text:
-            return ImGuiCol_NavWindowingHighlight;
-        case ThemeColour::quiet:
-            return ImGuiCol_TextDisabled;
-        case ThemeColour::accent:
-            return ImGuiCol_CheckMark;
-        case ThemeColour::warning:
-            return ImGuiCol_PlotLinesHovered;
-    }
-    return ImGuiCol_NavWindowingHighlight;
+    constexpr std::array kPlaces{ImGuiCol_NavWindowingDimBg, ImGuiCol_WindowBg,
+                                 ImGuiCol_FrameBgActive,     ImGuiCol_Separator,
+                                 ImGuiCol_PlotLines,         ImGuiCol_NavWindowingHighlight,
+                                 ImGuiCol_TextDisabled,      ImGuiCol_CheckMark,
+                                 ImGuiCol_PlotLinesHovered};  // as ThemeColour has them
+    return kPlaces[static_cast<std::size_t>(colour)];
 }
 
 ImVec4 shade(glm::u8vec3 colour, float opacity = 1) {
@@ -126,6 +111,10 @@ glm::vec3 rgb_of(ThemeColour colour) {
 
 std::uint32_t colour_of(ThemeColour colour) {
     return ImGui::GetColorU32(place_of(colour));  // paler where a row is greyed
+}
+
+std::uint32_t with_opacity(std::uint32_t colour, std::uint32_t opacity) {
+    return (colour & ~IM_COL32_A_MASK) | opacity << IM_COL32_A_SHIFT;
 }
 
 std::optional<std::filesystem::path> find_font(const char* pattern) {

@@ -30,6 +30,8 @@ inline constexpr float kSmallestText = 0.75f, kLargestText = 2;
 
 /// Those of the theme applied last. As ImGui packs colours.
 std::uint32_t colour_of(ThemeColour colour);
+/// Such a colour with another opacity, 0..255.
+std::uint32_t with_opacity(std::uint32_t colour, std::uint32_t opacity);
 /// As the shaders take them, 0..1.
 glm::vec3 rgb_of(ThemeColour colour);
 

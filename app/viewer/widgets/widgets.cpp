@@ -1,15 +1,12 @@
 #include "app/viewer/widgets/widgets.h"
 
-#include <imgui.h>
 #include <imgui_internal.h>
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <utility>
 
 #include "app/viewer/widgets/row.h"
 #include "app/viewer/widgets/theme.h"
-#include "core/text/length.h"
 
 namespace dapple {
 
@@ -196,6 +193,19 @@ Greyed::~Greyed() {
     const ImVec2 last{end.x + ImGui::GetContentRegionAvail().x, end.y - ImGui::GetStyle().ItemSpacing.y};
     show_tip(reason_, ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect({end.x, top_}, last),
              TipPlace{{end.x, top_}});
+}
+
+void begin_bare(const char* name, ImVec2 corner, ImVec2 size, ImGuiWindowFlags more) {
+    ImGui::SetNextWindowPos(corner);
+    ImGui::SetNextWindowSize({std::max(size.x, 1.0f), std::max(size.y, 1.0f)});
+    ImGui::Begin(name, nullptr,
+                 kNeverAsksForFocus | ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | more);
+}
+
+void go_on_at(ImVec2 place) {
+    ImGui::SetCursorScreenPos(place);
+    ImGui::Dummy({0, 0});
+    ImGui::SetCursorScreenPos(place);
 }
 
 bool press_area(const char* name, ImVec2 size) {

@@ -10,7 +10,6 @@
 #include <imgui.h>
 #include <cmath>
 #include <concepts>
-#include <cstdint>
 #include <functional>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -151,9 +150,15 @@ class Greyed {
 /// which a dialog opens, ends the program by an assertion of ImGui's.
 inline constexpr ImGuiWindowFlags kNeverAsksForFocus = ImGuiWindowFlags_NoFocusOnAppearing;
 
+/// ImGui::Begin() of a bare window that stays at its place, at least a pixel large.
+void begin_bare(const char* name, ImVec2 corner, ImVec2 size, ImGuiWindowFlags more = 0);
+
 /// A place that can be pressed, drawn by others; at least a pixel large, as ImGui insists, however small the
 /// window is.
 bool press_area(const char* name, ImVec2 size);
+
+/// What is drawn next begins there, and what scrolls reaches down to it.
+void go_on_at(ImVec2 place);
 
 /// Position 0..1 on the track of a value, clamped, and the value at a position.
 double track_position(double value, const SliderRange& range);
@@ -173,6 +178,9 @@ bool slider_row(const char* label, Whole& value, SliderRange range) {
     return value != before;
 }
 
+/// The tip of a setting's row.
+std::string sentence_of(const Setting& setting);
+
 /// What depends on the moment in a setting's row.
 struct SliderNow {
     std::optional<double> usual = {};  // none: the setting's
@@ -183,9 +191,13 @@ struct SliderNow {
     const char* tip = nullptr;         // none: the setting's help
 };
 SliderRange range_of(const Setting& setting, const SliderNow& now = {});
-bool slider_row(const Setting& setting, double& value, const SliderNow& now = {});
-bool slider_row(const Setting& setting, float& value, const SliderNow& now = {});
-bool slider_row(const Setting& setting, int& value, const SliderNow& now = {});
+template <class Number>
+bool slider_row(const Setting& setting, Number& value, const SliderNow& now = {}) {
+    const std::string tip = sentence_of(setting);
+    SliderRange range = range_of(setting, now);
+    if (!range.tip) range.tip = tip.c_str();
+    return slider_row(setting.names.row, value, range);
+}
 
 /// A tick box row. True when its value changed.
 bool switch_row(const char* label, bool& value, const char* tip, bool usual = false);
