@@ -388,11 +388,22 @@ std::vector<Cubic> smooth_curve(std::span<const glm::dvec2> points) {
         if (end || glm::dot(before, after) < kCorner * a * b) return out ? after / b : before / a;
         return glm::normalize(before * (b / a) + after * (a / b));
     };
+    const auto length = [&](std::size_t i) { return glm::distance(points[i], points[i + 1]); };
+    // Beside a short segment a long one keeps nearly straight: its handles would bulge.
+    const auto reach = [&](std::size_t i, std::size_t beside) {
+        constexpr double kMostTimes = 1.5;
+        return std::min(length(i), kMostTimes * length(beside)) / 3;
+    };
     std::vector<Cubic> curves;
     for (std::size_t i = 0; i < last; ++i) {
-        const double reach = glm::distance(points[i], points[i + 1]) / 3;
-        curves.push_back({points[i], points[i] + reach * direction(i, true),
-                          points[i + 1] - reach * direction(i + 1, false), points[i + 1]});
+        const std::size_t before = i > 0    ? i - 1
+                                   : closed ? last - 1
+                                            : i,
+                          after = i + 1 < last ? i + 1
+                                  : closed     ? 0
+                                               : i;
+        curves.push_back({points[i], points[i] + reach(i, before) * direction(i, true),
+                          points[i + 1] - reach(i, after) * direction(i + 1, false), points[i + 1]});
     }
     return curves;
 }
