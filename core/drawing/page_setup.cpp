@@ -133,7 +133,7 @@ bool keeps_dots_inside(const PageSetup& setup) {
 }
 
 Framing framing_of(const PageSetup& setup, glm::ivec2 picture) {
-    Framing framing{whole_picture(picture).pixels, setup.quarter_turns};
+    Framing framing{whole_picture(picture).pixels, setup.quarter_turns, setup.mirrored};
     if (setup.crop) framing.pixels = cropped(*setup.crop, picture);
     const std::optional<glm::dvec2> page = own_size(setup, framing.size());
     if (!page || setup.fit != PageFit::fill) return framing;

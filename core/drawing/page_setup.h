@@ -108,6 +108,7 @@ struct PageSetup {
     PageFit fit = PageFit::inside;        // no say in a page of the picture's shape
     std::optional<Crop> crop = {};
     int quarter_turns = 0;  // of the picture, clockwise, after the crop: 0..3
+    bool mirrored = false;  // left and right change places, after that
 
     bool operator==(const PageSetup&) const = default;
 };

@@ -36,6 +36,7 @@ Grid<T> framed_pixels(const Grid<T>& picture, const Framing& framing) {
 
 glm::dvec2 opened_pixel(const Framing& framing, glm::dvec2 framed) {
     const glm::dvec2 low(framing.pixels.low), high(framing.pixels.high);
+    if (framing.mirrored) framed.x = framing.size().x - framed.x;
     switch (framing.quarter_turns) {
         case 1:
             return {low.x + framed.y, high.y - framed.x};

@@ -29,10 +29,12 @@ namespace dapple {
 
 // Which part of a picture is drawn, and how it is turned.
 
-/// Pixels of the picture as it was opened, cut out first; then so many quarter turns clockwise, 0..3.
+/// Pixels of the picture as it was opened, cut out first; then so many quarter turns clockwise, 0..3; in the
+/// end left and right may change places.
 struct Framing {
     Rectangle<int> pixels;
     int quarter_turns = 0;
+    bool mirrored = false;
 
     bool operator==(const Framing&) const = default;
 

@@ -57,7 +57,7 @@ static void describe(Fields& fields, std::optional<Crop>& crop) {
 }
 
 static void describe(Fields& fields, PageSetup& page) {
-    auto& [paper, orientation, width_mm, height_mm, margins, fit, crop, quarter_turns] = page;
+    auto& [paper, orientation, width_mm, height_mm, margins, fit, crop, quarter_turns, mirrored] = page;
     fields.choice(setting::page_size, paper);
     fields.choice(setting::orientation, orientation);
     fields.number(setting::width, width_mm);
@@ -66,6 +66,7 @@ static void describe(Fields& fields, PageSetup& page) {
     fields.choice(setting::fit, fit);
     fields.group("crop", crop);
     fields.whole(setting::rotate, quarter_turns);
+    fields.flag(setting::mirror, mirrored);
     if (paper == Paper::custom && !height_mm) fields.refuse("height_mm", "has to be said for a custom page");
 }
 

@@ -261,6 +261,9 @@ inline constexpr Setting rotate{.names = {"quarter_turns", "Rotate", "--rotate"}
                                 .value = "0|90|180|270",
                                 .help = "Turns the picture clockwise",
                                 .more = ", after --crop"};
+inline constexpr Setting mirror{
+    .names = {"mirrored", "Mirror", "--mirror"},
+    .help = "Left and right change places, for prints from the drawing: transfers, linocut"};
 inline constexpr Setting overlap{.names = {"sheet_overlap_mm", "Overlap", "--overlap"},
                                  .range = {0, kWidestOverlapMm},
                                  .track = {0, 30},

@@ -322,6 +322,7 @@ void add_page_options(CLI::App& app, DrawingSettings& settings) {
             throw std::runtime_error(text + " is not known; there are 0, 90, 180, 270");
         page.quarter_turns = *degrees / 90;
     })->default_str("0");
+    add_flag(app, setting::mirror, page.mirrored);
     add_pens(app, settings.pens,
              "Several pens, whose colours mix to the picture's: greys, cmyk, auto:N for the N that suit the "
              "picture, or auto:N:fineliners for the N of a palette that do, each with a width if wanted, as "

@@ -138,6 +138,7 @@ DrawingSettings with_preset(const DrawingSettings& preset, const DrawingSettings
     drawing.tone.exposure = present.tone.exposure;
     drawing.page.crop = present.page.crop;
     drawing.page.quarter_turns = present.page.quarter_turns;
+    drawing.page.mirrored = present.page.mirrored;
     drawing.placing.threads = present.placing.threads;
     drawing.mask = present.mask;
     return drawing;

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 
 #include "app/viewer/model/crop_percent.h"
@@ -48,17 +49,10 @@ int side_grasped(double at, double low, double high, double grasp) {
 }  // namespace
 
 glm::dvec2 framed_pixel(const Framing& framing, glm::dvec2 opened) {
-    const glm::dvec2 low(framing.pixels.low), high(framing.pixels.high);
-    switch (framing.quarter_turns) {
-        case 1:
-            return {high.y - opened.y, opened.x - low.x};
-        case 2:
-            return high - opened;
-        case 3:
-            return {opened.y - low.y, high.x - opened.x};
-        default:
-            return opened - low;
-    }
+    const glm::dvec2 corner = opened_pixel(framing, {0, 0}), way = opened - corner;
+    // Quarter turns and mirrors lead along one axis each.
+    return {glm::dot(way, opened_pixel(framing, {1, 0}) - corner),
+            glm::dot(way, opened_pixel(framing, {0, 1}) - corner)};
 }
 
 bool CropFrame::drag(std::optional<Crop>& crop, double proportion, const Framing& framing, glm::ivec2 picture,

@@ -19,18 +19,10 @@ std::optional<Rectangle<double>> sheet_around(const PageLayout& layout) {
 }  // namespace
 
 PictureView view_of(const Framing& framing, glm::ivec2 picture) {
-    const glm::vec2 all(picture), low = glm::vec2(framing.pixels.low) / all,
-                                  high = glm::vec2(framing.pixels.high) / all, size = high - low;
-    switch (framing.quarter_turns) {
-        case 1:
-            return {{low.x, high.y}, {0, -size.y}, {size.x, 0}};
-        case 2:
-            return {high, {-size.x, 0}, {0, -size.y}};
-        case 3:
-            return {{high.x, low.y}, {0, size.y}, {-size.x, 0}};
-        default:
-            return {low, {size.x, 0}, {0, size.y}};
-    }
+    const glm::dvec2 all(picture), size(framing.size());
+    const auto share = [&](glm::dvec2 framed) { return glm::vec2(opened_pixel(framing, framed) / all); };
+    const glm::vec2 corner = share({0, 0});
+    return {corner, share({size.x, 0}) - corner, share({0, size.y}) - corner};
 }
 
 namespace {

@@ -44,6 +44,7 @@ bool draw_crop_rows(PageSetup& setup, CropTool& tool, glm::ivec2 picture, glm::d
     if (changed) crop = crop_of_percent(box);
     changed |= segmented_row("Rotate", setup.quarter_turns, std::array{"0", "90", "180", "270"},
                              "Turns the picture on the page, in degrees clockwise.");
+    changed |= switch_row(setting::mirror, setup.mirrored);
     const Absent absent(crop ? nullptr : "All of the picture is drawn.");
     if (!wide_button("All of the picture", "Takes the crop away.")) return changed;
     crop.reset();

@@ -45,7 +45,7 @@ TEST_CASE("a mask's levels multiply the density as its table says, and black sta
           masked(grey, mask, whole_picture(size), size).at(40, 10));
 }
 
-TEST_CASE("a mask stays where it was painted when the picture is cropped and turned") {
+TEST_CASE("a mask stays where it was painted when the picture is cropped, turned and mirrored") {
     const glm::ivec2 size{40, 24};
     Grid<float> picture(size.x, size.y);
     Grid<std::uint8_t> levels(10, 6);
@@ -55,14 +55,26 @@ TEST_CASE("a mask stays where it was painted when the picture is cropped and tur
         levels.values[i] = static_cast<std::uint8_t>(i * 53 % 256);
     const Mask mask(levels);
     const Grid<float> whole = masked(picture, mask, whole_picture(size), size);
-    for (int turns = 0; turns < 4; ++turns) {
-        const Framing framing{{{5, 2}, {33, 21}}, turns};
+    for (int i = 0; i < 8; ++i) {
+        const Framing framing{{{5, 2}, {33, 21}}, i / 2, i % 2 == 1};
         const Grid<float> one = masked(framed(picture, framing), mask, framing, size),
                           other = framed(whole, framing);
         double worst = 0;
         for (std::size_t i = 0; i < one.values.size(); ++i)
             worst = std::max<double>(worst, std::abs(one.values[i] - other.values[i]));
         CHECK(worst < 1e-6);
+    }
+}
+
+TEST_CASE("a mirrored picture is what its rows are from right to left, after it was turned") {
+    Grid<float> picture(5, 3);
+    for (std::size_t i = 0; i < picture.values.size(); ++i) picture.values[i] = static_cast<float>(i);
+    for (int turns = 0; turns < 4; ++turns) {
+        const Grid<float> turned = framed(picture, {{{0, 0}, {5, 3}}, turns}),
+                          mirrored = framed(picture, {{{0, 0}, {5, 3}}, turns, true});
+        for (int y = 0; y < turned.height; ++y)
+            for (int x = 0; x < turned.width; ++x)
+                CHECK(mirrored.at(x, y) == turned.at(turned.width - 1 - x, y));
     }
 }
 

@@ -63,7 +63,8 @@ ViewerSettings nothing_usual() {
                  .margins = Margins{11, 12.5, 13, 14},
                  .fit = PageFit::fill,
                  .crop = Crop{{{10, 20}, {90, 80.5}}, Crop::Unit::pixels},
-                 .quarter_turns = 3},
+                 .quarter_turns = 3,
+                 .mirrored = true},
         .sheets = {.columns = 3, .rows = 2, .overlap_mm = 12.5},
         .pens =
             [] {

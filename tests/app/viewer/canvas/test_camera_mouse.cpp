@@ -79,6 +79,8 @@ TEST_CASE("an edge of the crop's frame goes with the pointer, however the pictur
         f.framing.quarter_turns = turns;
         const glm::dvec2 pixel(130, 30);
         CHECK(glm::length(framed_pixel(f.framing, opened_pixel(f.framing, pixel)) - pixel) < 1e-9);
+        const Framing mirrored{f.framing.pixels, turns, true};
+        CHECK(glm::length(framed_pixel(mirrored, opened_pixel(mirrored, pixel)) - pixel) < 1e-9);
         f.ui.move_to({398, 200});
         f.ui.press();
         f.ui.move_to({298, 200});
