@@ -46,8 +46,12 @@ void check_count(std::uint64_t count) {
                                  " at most; take fewer, or draw them with the program");
 }
 
-// Throws std::runtime_error if the drawing needs a tile that is left out, or has too many dots.
+// Throws std::runtime_error if the drawing needs something that is left out, or has too many dots.
 void check(const dapple::DrawingSettings& drawing) {
+    if (dapple::has_inking(drawing))
+        throw std::runtime_error(
+            "this page draws neither contours nor solid blacks, which these settings ask for; draw them with "
+            "the program");
     if (drawing.placing.count && drawing.dot_size.sizing != dapple::DotSizing::by_tone)
         check_count(*drawing.placing.count);
     const std::string tile = dapple::tile_in_use(drawing);

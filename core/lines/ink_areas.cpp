@@ -86,7 +86,7 @@ std::vector<double> crossings(std::span<const Ring> rings, double y) {
 
 bool contains(const Ring& ring, glm::dvec2 point) {
     const std::vector<double> xs = crossings(std::span(&ring, 1), point.y);
-    return std::ranges::count_if(xs, [&](double x) { return x < point.x; }) % 2 == 1;
+    return std::count_if(xs.begin(), xs.end(), [&](double x) { return x < point.x; }) % 2 == 1;
 }
 
 // A segment whose width goes from one to another, with round ends, in pixels.

@@ -85,10 +85,12 @@ Points cut_off(const Points& ring, int axis, double limit, bool keeps_more) {
 
 Points cut_to(Points ring, const Rectangle<double>& box) {
     for (int axis = 0; axis < 2; ++axis) {
-        const auto [low, high] = std::ranges::minmax(ring, {}, [&](glm::dvec2 p) { return p[axis]; });
-        if (low[axis] < box.low[axis]) ring = cut_off(ring, axis, box.low[axis], true);
+        const auto [low, high] = std::minmax_element(
+            ring.begin(), ring.end(), [&](glm::dvec2 a, glm::dvec2 b) { return a[axis] < b[axis]; });
+        const bool before = box.low[axis] > (*low)[axis], beyond = box.high[axis] < (*high)[axis];
+        if (before) ring = cut_off(ring, axis, box.low[axis], true);
         if (ring.empty()) break;
-        if (high[axis] > box.high[axis]) ring = cut_off(ring, axis, box.high[axis], false);
+        if (beyond) ring = cut_off(ring, axis, box.high[axis], false);
         if (ring.empty()) break;
     }
     return ring;

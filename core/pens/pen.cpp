@@ -255,7 +255,10 @@ std::string text_of(const PenChoice& choice) {
 
 int darkest_of(std::span<const Pen> pens) {
     const auto light = [](const Pen& pen) { return luminance(linear_of(pen.colour)); };
-    return pens.empty() ? 0 : static_cast<int>(std::ranges::min_element(pens, {}, light) - pens.begin());
+    std::size_t darkest = 0;
+    for (std::size_t i = 1; i < pens.size(); ++i)
+        if (light(pens[i]) < light(pens[darkest])) darkest = i;
+    return static_cast<int>(darkest);
 }
 
 }  // namespace dapple

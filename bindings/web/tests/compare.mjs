@@ -76,10 +76,11 @@ const atRandom = {
     "drawing.page.quarter_turns": () => Math.floor(random(4)),
     ...Object.fromEntries(["automatic_tone", "background", "show_tiles", "tone.invert"].map((each) => [`drawing.${each}`, () => random() < 0.5])),
 };
+const notHere = ["drawing.sheet_overlap_mm", "drawing.contours", "drawing.solid"];
 for (let round = 0; round < 30; ++round) {
     const settings = {drawing: {}}, name = one_of(Object.keys(pictures));
     for (const [field, {choices, from, to, logarithmic}] of Object.entries(engine.rows())) {
-        if (!field.startsWith("drawing.") || field === "drawing.sheet_overlap_mm" || random() < 0.7) continue;
+        if (!field.startsWith("drawing.") || notHere.includes(field) || random() < 0.7) continue;
         const value = atRandom[field] ?? (choices && (() => one_of(choices))) ??
             (from !== undefined && (() => logarithmic ? from * (Math.min(to, 400) / from) ** random() : from + random(to - from)));
         const path = field.split("."), last = path.pop();
@@ -122,12 +123,15 @@ for (const [tile, repeats] of [["best32", true], ["kinds4096", false]]) {
     console.log(`${right ? "same" : "NOT THE SAME"}: spectrum of ${here.dots} dots of ${tile}, ${other} of ${pixels.length} values differ; ` +
                 `periodicity ${here.periodicity}, the program's ${value}`);
 }
-try {
-    engine.draw({drawing: {count: 0}});
-    failed += console.log("NOT REFUSED: 0 dots") ?? 1;
-} catch (error) {
-    const sentence = "settings: drawing.count is 0; give a whole number from 1 to 10000000000, or null";
-    failed += error.message !== sentence;
-    console.log(`refused: ${error.message}`);
+for (const [drawing, sentence] of [
+    [{count: 0}, "settings: drawing.count is 0; give a whole number from 1 to 10000000000, or null"],
+    [{contours: 0.5}, "this page draws neither contours nor solid blacks, which these settings ask for; draw them with the program"]]) {
+    try {
+        engine.draw({drawing});
+        failed += console.log(`NOT REFUSED: ${JSON.stringify(drawing)}`) ?? 1;
+    } catch (error) {
+        failed += error.message !== sentence;
+        console.log(`refused: ${error.message}`);
+    }
 }
 process.exit(failed ? 1 : 0);

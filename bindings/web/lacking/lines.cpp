@@ -1,0 +1,53 @@
+// Contours and solid blacks, which the page does not draw: engine.cpp refuses settings that ask for them, so
+// that nothing here is called. With them the page would be too large.
+
+#include "core/lines/inking.h"
+#include "core/lines/line_field.h"
+
+namespace dapple {
+
+std::vector<InkLine> find_lines(const Grid<float>&) {
+    return {};
+}
+std::vector<InkArea> find_blacks(const Grid<float>&, double, double) {
+    return {};
+}
+std::vector<InkLine> lines_shown(const std::vector<InkLine>&, double) {
+    return {};
+}
+std::vector<InkLine> outside(const std::vector<InkLine>&, const std::vector<InkArea>&, double) {
+    return {};
+}
+Inking within(Inking, const Grid<float>&) {
+    return {};
+}
+Inking fitted(Inking, const Grid<float>&, const DotsAmongLines&) {
+    return {};
+}
+Grid<float> reduced(const Grid<float>&) {
+    return {};
+}
+Grid<float> negative(Grid<float>) {
+    return {};
+}
+Grid<float> room_for_dots(const Inking&, const Density&, const Grid<float>&, const InkCurve&,
+                          const DotsAmongLines&) {
+    return {};
+}
+Density with_room(const Density& density, const Grid<float>&) {
+    return density;
+}
+std::vector<InkArea> shapes_of(const Inking&, const Rectangle<double>&, double) {
+    return {};
+}
+Strokes strokes_of(const Inking&, double, double) {
+    return {};
+}
+InkArea flattened(InkArea area) {
+    return area;
+}
+std::vector<Cubic> smooth_curve(std::span<const glm::dvec2>) {
+    return {};
+}
+
+}  // namespace dapple
