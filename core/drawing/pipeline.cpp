@@ -369,21 +369,25 @@ void Pipeline::add_inking(DrawingPlan& plan, const DrawingSettings& request) {
         const LitForLines lit{plan.tone.exposure, plan.tone.invert};
         const Grid<float> light = exposed(reduced(framed_light()), lit.exposure);
         const auto as_drawn = [&](Grid<float> seen) { return lit.invert ? negative(std::move(seen)) : seen; };
-        const Grid<float> seen = as_drawn(toned_light(light, plan.tone));
+        Grid<float> seen = as_drawn(toned_light(light, plan.tone));
+        // Where the mask takes most dots away there are neither lines nor blacks.
+        Grid<float> kept(seen.width, seen.height, 1);
+        if (!request.mask.empty())
+            kept = reduced(masked(Grid<float>(plan.density->width(), plan.density->height(), 1),
+                                  request.mask.without_finer(), framing_of_light(),
+                                  {light_.width, light_.height}));
+        for (std::size_t i = 0; i < seen.values.size(); ++i)
+            if (kept.values[i] < 0.5f) seen.values[i] = 1;
         Inking inking;
         if (request.contours > 0)
             inking.lines =
                 lines_shown(lines_.of(lit, [&] { return find_lines(as_drawn(light)); }), request.contours);
         if (request.solid < 1) {
-            inking.areas = blacks_.of({plan.tone, request.solid},
+            inking.areas = blacks_.of({plan.tone, request.solid, request.mask},
                                       [&] { return find_blacks(seen, request.solid, kLeastSolid); });
             inking.lines = outside(inking.lines, inking.areas, kAlongSolid);
         }
-        if (!request.mask.empty())
-            inking = within(
-                std::move(inking),
-                masked(Grid<float>(plan.density->width(), plan.density->height(), 1),
-                       request.mask.without_finer(), framing_of_light(), {light_.width, light_.height}));
+        if (!request.mask.empty()) inking = within(std::move(inking), kept);
         Room made;
         inking = fitted(std::move(inking), seen, inked.dots);
         made.times = room_for_dots(inking, *plan.density, seen, InkCurve(plan.ink), inked.dots);

@@ -241,6 +241,7 @@ class Pipeline {
     struct Blackened {  // solid shapes
         Tone tone;
         double solid = 1;
+        Mask mask = {};
         bool operator==(const Blackened&) const = default;
     };
     struct Inked {  // the density beside lines and blacks

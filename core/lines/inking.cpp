@@ -9,8 +9,6 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <numbers>
-#include <optional>
 #include <utility>
 
 #include "core/image/blur.h"
@@ -228,8 +226,6 @@ Strokes in_short_order(const Strokes& strokes) {
 
 }  // namespace
 
-constexpr double kAlikeMm = 1e-4;
-
 InkArea flattened(InkArea area) {
     for (Points& ring : area.rings) ring = flattened({.points = std::move(ring), .widths = {}}).points;
     return area;
@@ -242,7 +238,7 @@ std::vector<InkArea> shapes_of(const Inking& inking, const Rectangle<double>& pa
         for (const Points& ring : area.rings) {
             Points kept = cut_to(ring, part);
             for (glm::dvec2& p : kept) p = (p - part.low) * mm_per_page_unit;
-            const auto alike = [](glm::dvec2 a, glm::dvec2 b) { return glm::distance(a, b) < kAlikeMm; };
+            const auto alike = [](glm::dvec2 a, glm::dvec2 b) { return glm::distance(a, b) < 1e-4; };
             kept.erase(std::unique(kept.begin(), kept.end(), alike), kept.end());
             if (kept.size() > 3) cut.rings.push_back(std::move(kept));
         }
@@ -374,7 +370,6 @@ Grid<float> negative(Grid<float> light) {
 
 std::vector<InkLine> lines_shown(const std::vector<InkLine>& lines, double contours) {
     std::vector<InkLine> shown;
-    if (contours <= 0) return shown;
     const double least = 1 - contours;
     for (const InkLine& line : lines) {
         if (line.strength < least) continue;

@@ -92,6 +92,19 @@ TEST_CASE("without contours and solid black a drawing has neither") {
     CHECK(!drawn(settings).plan.inking);
 }
 
+TEST_CASE("a mask that leaves a part bare takes its lines and blacks away too") {
+    Settings settings = inked_settings();
+    Grid<std::uint8_t> levels(300, 200, kNeutralLevel);
+    for (int y = 0; y < levels.height; ++y) std::fill_n(levels.row(y), 150, std::uint8_t{0});
+    settings.drawing.mask = Mask(levels);
+    const Drawing drawing = drawn(settings);
+    REQUIRE(drawing.plan.inking);
+    CHECK(drawing.plan.inking->areas.empty());
+    CHECK(!drawing.plan.inking->lines.empty());
+    for (const InkLine& line : drawing.plan.inking->lines)
+        for (const glm::dvec2 p : line.points) CHECK(p.x > 0.5);
+}
+
 TEST_CASE("the same lines and dots come of any number of threads") {
     CHECK(written(drawn(inked_settings(), 1), DrawingFormat::svg) ==
           written(drawn(inked_settings(), 4), DrawingFormat::svg));
