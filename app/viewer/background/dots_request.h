@@ -53,6 +53,7 @@ struct DotsRequest {
     DotColourChoice colours = {};
     bool settled_only = false;                // nothing is shown on the way
     bool in_part = true;                      // preview_dots() may be shown for a while
+    bool held = false;                        // by a hand that may move on: not relaxed to the end
     std::optional<DotOrder> line_order = {};  // of one line through all dots; none: the shortest
 
     bool operator==(const DotsRequest&) const = default;

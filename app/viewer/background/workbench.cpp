@@ -51,6 +51,8 @@ using Clock = std::chrono::steady_clock;
 
 // A drawing that takes longer to settle is shown on its way.
 constexpr std::chrono::milliseconds kFrame(16);
+// With the warp that comes with them they show what the drawing will be like; the rest waits for the hand.
+constexpr int kStepsWhileHeld = 2;
 constexpr double kSecondsADotAndStep = 0.4e-6;  // about, on two processor cores
 
 constexpr std::size_t kDotsRoutedSoon = 2000;
@@ -235,15 +237,24 @@ std::optional<DotsPlaced> Workbench::place_for_screen(const DotsRequest& request
                                                       const Background<DotsPlaced>::Task& task) {
     const std::stop_token& stop = task.stop();
     share_ = &task.share();
-    // Settled dots are not replaced by unsettled ones of the same picture.
-    const bool settled_only = request.settled_only || (arrived_ && arrived_->refines && settled_ == request);
+    // What is seen of the same drawing is not replaced by less settled dots.
+    DotsRequest let_go = request;
+    let_go.held = false;
+    const bool settled_only =
+        request.settled_only || (settled_ == let_go && (!arrived_ || arrived_->refines));
     // Steps that fit into a frame are not shown one by one.
     auto shown = Clock::now();
     const std::chrono::duration<double> step(static_cast<double>(request.drawing.placing.count.value_or(0)) *
                                              kSecondsADotAndStep);
+    // The longer it takes, the more rarely it is shown: whoever looks sees each whole, and relaxing goes on.
+    const auto begun = shown;
+    int steps = 0;
     const Unsettled unsettled = [&](const std::function<PlacedDrawing()>& drawing) {
-        if (stop.stop_requested()) return false;
-        if (settled_only || Clock::now() + step - shown < kFrame) return true;
+        if (stop.stop_requested() || (request.held && steps == kStepsWhileHeld)) return false;
+        ++steps;
+        if (settled_only ||
+            Clock::now() + step - shown < std::max<Clock::duration>(kFrame, (shown - begun) / 4))
+            return true;
         task.publish(ready_for_screen(request, drawing(), LineWay::soon, stop));
         shown = Clock::now();
         return true;
@@ -269,7 +280,7 @@ std::optional<DotsPlaced> Workbench::place_for_screen(const DotsRequest& request
             return std::nullopt;
         }
         sort_spare();
-        settled_ = request;
+        settled_ = std::move(let_go);
         return placed;
     } catch (...) {
         DotsPlaced failed;

@@ -101,7 +101,7 @@ class Workbench {
     std::optional<OpenedPicture> arrived_;  // waits for its dots
     std::vector<PlacedDrawing> spare_;      // that the window no longer shows: their memory is used again
     std::size_t last_size_ = 0;             // dots of the last drawing
-    std::optional<DotsRequest> settled_;    // the request placed last, to its end
+    std::optional<DotsRequest> settled_;    // the request placed last, to its end, as if it was not held
     std::optional<DotsRequest> tile_published_;  // the request whose tile was told last
 };
 

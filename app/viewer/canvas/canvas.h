@@ -3,6 +3,7 @@
 // something in it changed, so that moving over the panels costs nothing. While it goes on changing, it is
 // drawn quickly; once it rests, fully.
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <glm/vec2.hpp>
@@ -73,6 +74,11 @@ class Canvas {
     /// Another frame is to follow at once: it is being drawn fully, or a picture uploaded, a part in each
     /// frame, so that mouse and keys are answered in between.
     bool drawing() const { return job_side_.has_value() || uploading_; }
+    /// Whether dots are left out of what is seen, until all rests.
+    bool shows_part() const {
+        return drawn_ == Fineness::quick &&
+               std::ranges::any_of(renderers_, [](const Renderer& each) { return each.leaves_out(); });
+    }
     /// Seconds after which another frame will draw it fully; none if it is.
     std::optional<double> seconds_to_next_frame() const;
 

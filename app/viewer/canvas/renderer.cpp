@@ -294,7 +294,8 @@ Fineness Renderer::draw_quickly(const GlFramebuffer& picture, const Camera& came
     dots_seconds_ = 0;
     Job job = job_of(camera, look, Fineness::quick, columns);
     const Job finest = job_of(camera, look, Fineness::full, columns);
-    job.every = quick_cost_.every(job.in_view, in_samples(job, mean_radius(camera, look)), seconds);
+    job.every = quick_cost_.every(job.in_view, in_samples(job, mean_radius(camera, look)), seconds, every_);
+    every_ = job.every;
     job.tiles = std::min(job.tiles, kTilesAtOnce);
     job.desk = desk;
     const bool as_good = job.grid.samples == finest.grid.samples && job.raster == finest.raster &&
@@ -308,7 +309,10 @@ void Renderer::begin(const Camera& camera, const CanvasLook& look, Columns colum
 }
 
 bool Renderer::step(const GlFramebuffer& picture, double seconds) {
-    if (job_ && go_on(*job_, picture, seconds)) job_.reset();
+    if (job_ && go_on(*job_, picture, seconds)) {
+        job_.reset();
+        every_ = 1;  // the gesture has ended
+    }
     return !job_;
 }
 

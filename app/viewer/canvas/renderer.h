@@ -120,6 +120,9 @@ class Renderer {
     /// How long the dots of that took.
     double dots_seconds() const { return dots_seconds_; }
 
+    /// Whether that left dots out.
+    bool leaves_out() const { return every_ > 1; }
+
     /// The same fully and in steps. Setting anything, or another drawing, ends it.
     void begin(const Camera& camera, const CanvasLook& look, Columns columns);
     /// Goes on with what was begun for about so many seconds. True once all of it is in the picture; columns
@@ -235,6 +238,7 @@ class Renderer {
     // Measured while drawing in steps.
     double seconds_per_dot_ = 1e-6, seconds_per_row_ = 1e-3;
     DotCost quick_cost_;
+    std::size_t every_ = 1;    // of which one was drawn in the last quick drawing
     double dots_seconds_ = 0;  // of the last quick drawing
     bool has_critical_ = false;
     bool has_picture_ = false;

@@ -57,6 +57,10 @@ bool Pane::request(DotsRequest page, const Zoom& zoom, bool again) {
     if (is_close) page.close = close;
     std::optional<DotsRequest>& requested = is_close ? close_requested_ : page_requested_;
     if (!again && requested == page) return false;
+    // A hand that rests on a control changes nothing.
+    const bool held = std::exchange(page.held, false);
+    if (held && !again && requested == page) return false;
+    page.held = held;
     requested = page;
     worker_.place(std::move(page));
     return true;

@@ -402,10 +402,11 @@ void Session::save_film(const fs::path& path) {
     pane_.worker().save(path, [draw](Workbench&, const std::stop_token&) -> WriteFile { return draw; });
 }
 
-void Session::request_dots(const Zoom& zoom) {
+void Session::request_dots(const Zoom& zoom, bool held) {
     // In every frame, but not before the last one is there: it would never be.
     const bool waits = settings.every_frame && pane_.worker().placing_since();
     DotsRequest page = as_shown(film ? film_request(settings, *film) : dots_request(settings));
+    page.held = held && !settings.every_frame;
     const bool requested = pane_.request(std::move(page), zoom, settings.every_frame && !waits);
     if (requested) requested_settings_ = settings;
     if (requested || waits) take_events(settings.every_frame ? kLongPatience : kPatience);

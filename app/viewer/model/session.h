@@ -90,8 +90,8 @@ class Session {
     void take_events(std::chrono::milliseconds patience);
 
     /// Requests what the settings ask for and waits a moment for it, so that dots and slider move in the same
-    /// frame.
-    void request_dots(const Zoom& zoom);
+    /// frame. Where a hand holds what changes, dots are relaxed to the end once it lets go.
+    void request_dots(const Zoom& zoom, bool held = false);
     /// Such a request within the session's bound, and with all of the picture while it is being cropped.
     DotsRequest as_shown(DotsRequest request) const;
 

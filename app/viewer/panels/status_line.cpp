@@ -61,6 +61,8 @@ std::vector<StatusItem> status_items(const StatusInfo& info) {
         items.push_back({fmt::format("settling, step {} of {}{}", info.steps, info.all_steps,
                                      is_long ? ", Escape stops it" : ""),
                          7});
+    else if (info.preview)
+        items.push_back({"preview", 7});
     if (info.frames_per_second > 0) items.push_back({fmt::format("{:.0f} fps", info.frames_per_second), 1});
     if (!info.method) return items;
     items.push_back({"scale " + in_round_words(info.scale), 4});

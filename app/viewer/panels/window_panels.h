@@ -84,6 +84,7 @@ struct StatusInfo {
     double tone_ms = 0, place_ms = 0, relax_ms = 0;
     int steps = 0, all_steps = 0;  // of relaxation: done, and to be done
     double draw_ms = 0;
+    bool preview = false;                     // dots are left out of what is seen
     double placing_seconds = 0;               // that a placing under way has taken so far
     std::optional<double> placed_share = {};  // of its dots, 0..1, if that is known
     double frames_per_second = 0;

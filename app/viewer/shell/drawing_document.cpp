@@ -374,8 +374,9 @@ void DrawingDocument::draw(const Frame& frame) {
     std::optional<Crop>& crop = session_.settings.drawing.page.crop;
     const bool cropping = framing && crop_frame_.drag(crop, crop_proportion(session_), page.plan.framing,
                                                       page.plan.opened, canvas_.camera(), place);
+    const bool dragging = ImGui::IsAnyItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Left);
     session_.remember(ImGui::IsAnyItemActive() || painting || cropping);
-    session_.request_dots(zoom());
+    session_.request_dots(zoom(), dragging || painting || cropping);
     compared_.request(zoom());
     show_changes(frame.window);
     film_player_.draw_bar({0, place.size.y}, player, frame.act);
@@ -527,6 +528,7 @@ StatusInfo DrawingDocument::info() const {
             .steps = pane.shown().steps,
             .all_steps = pane.shown().plan.steps,
             .draw_ms = canvas_.draw_ms(),
+            .preview = canvas_.shows_part(),
             .placing_seconds = placing_seconds(),
             .placed_share = placed_share(),
             .frames_per_second = session_.settings.every_frame ? frame_rate_.per_second() : 0,

@@ -36,18 +36,19 @@ void DotCost::learn(double dots, double radius, double seconds) {
     slowness_ *= (1 + std::max(seconds / this->seconds(dots, radius), 0.01)) / 2;
 }
 
-std::size_t DotCost::every(std::size_t dots, double radius, double seconds) const {
+std::size_t DotCost::every(std::size_t dots, double radius, double seconds, std::size_t before) const {
     constexpr double kWorthIt = 0.7;
+    const std::size_t most = dots / std::max(std::min(dots / 2, kEnoughDots), kFewestDots);
+    if (most <= 1) return 1;
     const auto count = static_cast<double>(dots);
     const double all = this->seconds(count, radius);
-    if (all <= seconds || dots <= kFewestDots) return 1;
+    if (all <= seconds) return std::min(before, most);
     const double covering = slowness_ * kPerSample * samples_of(count, radius);
     // Fewer dots than those would gain little.
     const double room = std::max(seconds - covering, covering);
-    const double most = std::max(room / (slowness_ * kPerDot), double{kFewestDots});
-    const double every = std::ceil(count / most);
+    const double every = std::min(std::ceil(count * slowness_ * kPerDot / room), static_cast<double>(most));
     const bool worth_it = this->seconds(count / every, radius * std::sqrt(every)) < kWorthIt * all;
-    return worth_it ? static_cast<std::size_t>(every) : 1;
+    return std::max(worth_it ? static_cast<std::size_t>(every) : 1, std::min(before, most));
 }
 
 }  // namespace dapple

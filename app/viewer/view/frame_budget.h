@@ -29,7 +29,9 @@ class FrameBudget {
 /// alone.
 class DotCost {
  public:
-    static constexpr std::size_t kFewestDots = 2048;
+    /// A part of a drawing has at least half of its dots, and never fewer than the first of these: larger
+    /// ones would be blobs. Of more than the second of them none is missed by the eye, whatever the screen.
+    static constexpr std::size_t kFewestDots = 20'000, kEnoughDots = 500'000;
 
     /// Beside one processor that runs OpenGL, before anything was measured.
     explicit DotCost(double slowness = 1) : slowness_(slowness) {}
@@ -41,8 +43,9 @@ class DotCost {
     void learn(double dots, double radius, double seconds);
 
     /// One dot in how many is drawn, times sqrt(that) as large, to be ready within about `seconds`; 1: all
-    /// are, as they are few or a part would take about as long.
-    std::size_t every(std::size_t dots, double radius, double seconds) const;
+    /// are, as they are few or a part would take about as long. `before` is what it was in the frame before,
+    /// of the same gesture: a picture that gets coarse and fine in turns is worse than a coarse one.
+    std::size_t every(std::size_t dots, double radius, double seconds, std::size_t before = 1) const;
 
  private:
     double slowness_;

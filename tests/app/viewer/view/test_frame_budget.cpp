@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -77,13 +78,31 @@ struct Computer {
 }  // namespace
 
 TEST_CASE("as many small dots are drawn as there is time for, whatever the computer") {
-    for (const double slower : {0.01, 1.0, 3.0}) {
+    for (const double slower : {0.01, 0.03, 0.05}) {
         CAPTURE(slower);
         const auto [drawn, taken] = Computer{slower}.drawn(static_cast<std::size_t>(2e5 / slower), 0.5, 0.02);
         CHECK(drawn < 1e5 / slower);
         CHECK(taken < 0.025);
         CHECK(taken > 0.01);
     }
+}
+
+TEST_CASE("however slow the computer is, half of the dots are drawn, or as many as the eye can miss") {
+    for (const std::size_t dots : {1'000u, 19'999u, 40'000u, 300'000u, 1'000'000u, 54'000'000u}) {
+        CAPTURE(dots);
+        const double drawn = Computer{1000}.drawn(dots, 0.5, 0.02).first;
+        CHECK(drawn >= std::min<double>(dots, 20'000));
+        CHECK(drawn >= std::min<double>(dots / 2, 500'000));
+        CHECK((drawn < double(dots)) == (dots >= 40'000));
+    }
+}
+
+TEST_CASE("a gesture that was coarse in one frame stays as coarse, until it has fewer dots") {
+    const DotCost cost;
+    REQUIRE(cost.every(1'000'000, 0.5, 0.001) == 2);
+    CHECK(cost.every(1'000'000, 0.5, 100, 2) == 2);
+    CHECK(cost.every(30'000, 0.5, 100, 2) == 1);
+    CHECK(cost.every(1'000'000, 0.5, 100, 1) == 1);
 }
 
 TEST_CASE("where what dots cover takes the time all of them are drawn, as a part covers as much") {
