@@ -13,8 +13,10 @@
 #include <cmath>
 #include <csignal>
 #include <cstring>
+#include <ctime>
 #include <new>
 #include <stdexcept>
+#include <utility>
 
 namespace dapple {
 namespace {
@@ -34,21 +36,41 @@ double seconds_since(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
+// Again and again.
 void set_timer(__itimer_which_t which, double seconds) {
     itimerval timer{};
     const double whole = std::floor(seconds);
     timer.it_value.tv_sec = static_cast<time_t>(whole);
     timer.it_value.tv_usec = static_cast<suseconds_t>(1e6 * (seconds - whole));
+    timer.it_interval = timer.it_value;
     ::setitimer(which, &timer, nullptr);
+}
+
+double processor_seconds() {
+    timespec used{};
+    ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used);
+    return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
+}
+
+// Ends the process if it has done nothing since the last call. One that is kept from working by others, on a
+// busy machine, has not: it waits for the processor, and not for ever.
+extern "C" void end_if_idle(int signal) {
+    constexpr double kNothing = 1e-3;
+    static double before = -1;
+    const double now = processor_seconds();
+    if (now - std::exchange(before, now) > kNothing) return;
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
 }
 
 [[noreturn]] void work(Progress& progress, std::uint64_t end, double seconds, double longest,
                        const std::function<void(std::uint64_t)>& run) {
     const auto all = Clock::now();
+    std::signal(SIGALRM, end_if_idle);
     for (; progress.run < end && seconds_since(all) < seconds; ++progress.run) {
         const auto begin = Clock::now();
         set_timer(ITIMER_PROF, longest);
-        set_timer(ITIMER_REAL, 20 * longest);
+        set_timer(ITIMER_REAL, 4 * longest);
         run(progress.run);
         progress.longest_seconds = std::max(progress.longest_seconds, seconds_since(begin));
     }
