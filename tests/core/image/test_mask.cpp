@@ -60,8 +60,8 @@ TEST_CASE("a mask stays where it was painted when the picture is cropped, turned
         const Grid<float> one = masked(framed(picture, framing), mask, framing, size),
                           other = framed(whole, framing);
         double worst = 0;
-        for (std::size_t i = 0; i < one.values.size(); ++i)
-            worst = std::max<double>(worst, std::abs(one.values[i] - other.values[i]));
+        for (std::size_t k = 0; k < one.values.size(); ++k)
+            worst = std::max<double>(worst, std::abs(one.values[k] - other.values[k]));
         CHECK(worst < 1e-6);
     }
 }
