@@ -507,12 +507,13 @@ bool Pipeline::draw(const DrawingPlan& plan, Stippling& drawn, const DrawingWatc
     const Density& density = *plan.density;
     if (!stipple(*tile_, density, plan.placer, plan.placing, drawn, watch.stop)) return false;
     if (plan.placing.thresholds) fill_critical_scales(drawn.dots, density);
-    const auto sized = [&](DotPieces dots) {
+    const auto on_the_way = [&](DotPieces dots) {
+        if (!plan.pens.empty()) dots = pen_dots(dots, plan.by_pen, {.scale = drawn.scale, .rough = true});
         give_sizes(plan, drawn.scale, dots);
         return dots;
     };
     const bool relaxes = plan.steps > 0 && drawn.dots.size() > 0;
-    if (relaxes && (!watch.step || watch.step(drawn, [&] { return sized(drawn.dots); }))) {
+    if (relaxes && (!watch.step || watch.step(drawn, [&] { return on_the_way(drawn.dots); }))) {
         auto start = Clock::now();
         RelaxingRequest relaxing = relaxing_of(plan, tile_->placer(), drawn.scale);
         if (is_streamed(plan) && !relaxing.keeps_density)
@@ -527,7 +528,7 @@ bool Pipeline::draw(const DrawingPlan& plan, Stippling& drawn, const DrawingWatc
             if (how.kind == RelaxingStep::Kind::warp) continue;
             ++drawn.steps;
             if (drawn.steps < plan.steps && watch.step && !watch.step(drawn, [&] {
-                    return sized(warped ? relaxation.dots_warped() : relaxation.dots());
+                    return on_the_way(warped ? relaxation.dots_warped() : relaxation.dots());
                 })) {
                 if (warped) relaxation.step({RelaxingStep::Kind::warp});
                 break;
@@ -540,6 +541,7 @@ bool Pipeline::draw(const DrawingPlan& plan, Stippling& drawn, const DrawingWatc
         DotPieces by_pen = pen_dots(drawn.dots, plan.by_pen,
                                     {.scale = drawn.scale,
                                      .move = drawn.steps > 0,
+                                     .rough = relaxes && drawn.steps < plan.steps,
                                      .areas = areas_by_pen(plan),
                                      .threads = plan.placing.threads},
                                     watch.stop);

@@ -126,7 +126,7 @@ struct DrawingPlan {
 struct DrawingWatch {
     std::stop_token stop;
     /// Told after placing and after every step but the last, with `drawn` as it is without the dots, which
-    /// are copied on request. False ends the drawing there.
+    /// are copied on request. False ends the drawing there; several pens then share the dots as they lie.
     std::function<bool(const Stippling& drawn, const std::function<DotPieces()>& dots)> step;
 };
 

@@ -348,26 +348,33 @@ Shares PenDensities::shares_at(glm::dvec2 place) const {
     return shares;
 }
 
+// Exchanges pens and moves dots until each pen's own are even. False if stopped.
+static bool even_out(Sharing& sharing, PenLabels& labels, const PenDotsRequest& request,
+                     const std::stop_token& stop) {
+    // Dots move by less than the distance between them, so that those near each other stay so.
+    LabelExchange exchange(sharing.to_share(), request.threads);
+    exchange.exchange(labels, kFirstSweeps);
+    if (!request.move) return !stop.stop_requested();
+    // Moves then bring dots of different pens apart again.
+    if (!sharing.warp_each(labels, stop)) return false;
+    for (int round = 0; round < kMovingRounds; ++round) {
+        if (!sharing.move(labels, kForAll, stop)) return false;
+        exchange.exchange(labels, kSweeps);
+    }
+    for (int i = 0; request.areas.empty() && i < kWarpsOfAll; ++i)
+        if (!sharing.warp_all(stop)) return false;
+    // Exchanging would undo it: it does not see sizes.
+    for (int round = 0; !request.areas.empty() && round < kRoundsForSizes; ++round)
+        if (!sharing.move(labels, kForAllSizes, stop)) return false;
+    return !stop.stop_requested();
+}
+
 DotPieces pen_dots(const DotPieces& placed, const PenDensities& densities, const PenDotsRequest& request,
                    const std::stop_token& stop) {
     Dots dots = along_curve(placed);
     Sharing sharing(dots, densities, request);
     PenLabels labels = shared_out(sharing.to_share());
-    // Dots move by less than the distance between them, so that those near each other stay so.
-    LabelExchange exchange(sharing.to_share(), request.threads);
-    exchange.exchange(labels, kFirstSweeps);
-    // Moves then bring dots of different pens apart again.
-    if (request.move && !sharing.warp_each(labels, stop)) return {};
-    for (int round = 0; request.move && round < kMovingRounds; ++round) {
-        if (!sharing.move(labels, kForAll, stop)) return {};
-        exchange.exchange(labels, kSweeps);
-    }
-    for (int i = 0; request.move && request.areas.empty() && i < kWarpsOfAll; ++i)
-        if (!sharing.warp_all(stop)) return {};
-    // Exchanging would undo it: it does not see sizes.
-    for (int round = 0; request.move && !request.areas.empty() && round < kRoundsForSizes; ++round)
-        if (!sharing.move(labels, kForAllSizes, stop)) return {};
-    if (stop.stop_requested()) return {};
+    if (!request.rough && !even_out(sharing, labels, request, stop)) return {};
     DotPieces pieces;
     pieces.pieces.resize(densities.each.size());
     for (std::size_t pen = 0; pen < pieces.pieces.size(); ++pen)

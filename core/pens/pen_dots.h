@@ -79,8 +79,9 @@ struct PenDensities {
 };
 
 struct PenDotsRequest {
-    double scale = 0;  // that the dots were placed at
-    bool move = true;  // else the dots stay where they are
+    double scale = 0;    // that the dots were placed at
+    bool move = true;    // else the dots stay where they are
+    bool rough = false;  // just shared out, soon, for a look before the end
     /// The area of a dot of each pen, in any unit; empty: all are as large. Larger ones then push smaller
     /// ones away until all of them cover as much paper as dots of one size would.
     std::vector<double> areas = {};

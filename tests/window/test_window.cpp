@@ -512,13 +512,18 @@ TEST_CASE("a window at rest uses no processor, and a key is still answered") {
     }
 }
 
-TEST_CASE("a picture that is not there ends the program with a sentence") {
-    TemporaryFolder folder;
-    Display display;
-    ChildProcess program({dapple_program(), (folder / "missing.png").string()},
-                         {.errors = folder / "errors"});
-    CHECK(program.wait() == 1);
-    CHECK(text_of(folder / "errors").find("missing.png") != std::string::npos);
+TEST_CASE("a picture or project that is not there opens the window with the sample and a sentence") {
+    const TemporaryFolder folder;
+    for (const char* const name : {"missing.png", "missing.dapple"}) {
+        CAPTURE(name);
+        Display display;
+        RunningViewer viewer(folder.path(), {name});
+        CHECK(viewer.dots() > 0);
+        const json widgets = viewer.status()["widgets"];
+        CHECK(widgets.contains("Close message"));
+        CHECK(std::ranges::any_of(widgets.items(),
+                                  [&](const auto& widget) { return widget.key().starts_with(name); }));
+    }
 }
 
 TEST_CASE(

@@ -16,6 +16,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
+#include <numeric>
 #include <string>
 #include <thread>
 #include <utility>
@@ -24,6 +25,7 @@
 #include "tests/picture_files.h"
 #include "tests/temporary_folder.h"
 #include "tests/window/running_viewer.h"
+#include "tests/window/screen.h"
 #include "tests/window/window_messages.h"
 
 namespace dapple {
@@ -166,6 +168,86 @@ TEST_CASE("the longest that the window's thread works without looking at its inp
         std::fflush(stdout);
     }
     std::puts("Each is the longest so far.");
+}
+
+namespace {
+
+// The canvas's middle in cells of eight pixels, their mean light.
+std::vector<double> cells_on_screen() {
+    constexpr int kCell = 8, kX0 = 190, kY0 = 110, kX1 = 750, kY1 = 670;
+    const Grid<glm::u8vec3> pixels = screen();
+    std::vector<double> cells;
+    for (int y = kY0; y < kY1; y += kCell)
+        for (int x = kX0; x < kX1; x += kCell) {
+            double sum = 0;
+            for (int i = 0; i < kCell * kCell; ++i) sum += pixels.at(x + i % kCell, y + i / kCell).g;
+            cells.push_back(sum / (255 * kCell * kCell));
+        }
+    return cells;
+}
+
+double mean_of(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+double correlation(const std::vector<double>& a, const std::vector<double>& b) {
+    const double mean_a = mean_of(a), mean_b = mean_of(b);
+    double ab = 0, aa = 0, bb = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        ab += (a[i] - mean_a) * (b[i] - mean_b);
+        aa += (a[i] - mean_a) * (a[i] - mean_a);
+        bb += (b[i] - mean_b) * (b[i] - mean_b);
+    }
+    return ab / std::sqrt(std::max(aa * bb, 1e-12));
+}
+
+}  // namespace
+
+TEST_CASE("how much of the drawing is seen while a slider is dragged, on an idle and on a busy machine") {
+    draw_in_software();
+    std::puts(
+        "| Dots | Busy programs | Frames looked at | Correlation: mean, worst | Light: mean, furthest off | "
+        "Whole after | Longest frame |\n|---|---|---|---|---|---|---|");
+    for (const std::uint64_t count : {40'000, 1'000'000})
+        for (const int busy : {0, 2, 6}) {
+            Display display;
+            RunningViewer viewer;
+            const Person person{viewer};
+            person.type_dots(count);
+            person.rest();
+            const std::vector<double> whole = cells_on_screen();
+            std::vector<ChildProcess> loops;
+            for (int i = 0; i < busy; ++i)
+                loops.emplace_back(std::vector<std::string>{"sh", "-c", "while :; do :; done"});
+            viewer.point_at("Brightness", 0.5);
+            viewer.press();
+            // To and fro by little, so that the drawing is about the same all the time.
+            std::string way = "sleep 0.1";
+            for (int i = 0; i < 100; ++i)
+                way += std::string(" mousemove_relative -- ") + (i % 4 < 2 ? "2" : "-2") + " 0 sleep 0.04";
+            ChildProcess hand({"sh", "-c", "xdotool " + way});
+            double worst = 1, furthest = 0, sum = 0, light = 0;
+            int frames = 0;
+            for (; !hand.has_ended(); ++frames) {
+                const std::vector<double> now = cells_on_screen();
+                const double alike = correlation(now, whole), off = mean_of(now) - mean_of(whole);
+                worst = std::min(worst, alike);
+                sum += alike;
+                light += off;
+                if (std::abs(off) > std::abs(furthest)) furthest = off;
+            }
+            viewer.release();
+            const auto begin = std::chrono::steady_clock::now();
+            viewer.shows([&] {
+                return !viewer.status().value("preview", false) &&
+                       viewer.status()["steps"] == viewer.status()["all_steps"];
+            });
+            const std::chrono::duration<double> rested = std::chrono::steady_clock::now() - begin;
+            std::printf("| %d | %d | %d | %.3f, %.3f | %+.3f, %+.3f | %.1f s | %.0f ms |\n",
+                        static_cast<int>(viewer.dots()), busy, frames, sum / frames, worst, light / frames,
+                        furthest, rested.count(), viewer.status()["longest_frame_ms"].get<double>());
+            std::fflush(stdout);
+        }
 }
 
 }  // namespace dapple

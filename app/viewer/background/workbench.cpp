@@ -172,7 +172,6 @@ bool Workbench::place(const DotsRequest& request, PlacedDrawing& drawing, std::s
                                                 .place_ms = drawn.place_ms,
                                                 .relax_ms = drawn.relax_ms};
                 finish(now);
-                now.plan.pens.clear();  // which share the dots out at the end
                 return now;
             });
         };

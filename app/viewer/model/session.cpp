@@ -224,11 +224,13 @@ void Session::go_back_before(const fs::path& picture) {
     readings_.erase(failed);
 }
 
-void Session::attempt(const std::function<void()>& work) {
+bool Session::attempt(const std::function<void()>& work) {
     try {
         work();
+        return true;
     } catch (const std::exception& error) {
         say(error.what());
+        return false;
     }
 }
 
@@ -269,7 +271,7 @@ void Session::load_project(const fs::path& file) {
 }
 
 void Session::open_project(const fs::path& file) {
-    attempt([&] { load_project(file); });
+    if (!attempt([&] { load_project(file); }) && !placed_once()) read_sample();
 }
 
 void Session::take(SavedSettings taken) {
@@ -436,7 +438,7 @@ void Session::take(DotsPlaced& event) {
         know_safe(source_.brought_back ? std::nullopt : std::optional(settings.drawing));
         if (read) come_to(read->opened, {std::move(read->before), std::move(safe)});
         saved_path_.clear();                     // it shows another picture
-        if (!picture_is_missing()) banner = {};  // whatever it said was about the one before
+        if (read && !picture_is_missing()) banner = {};  // whatever it said was about the one before
         if (picture_.looks_like_environment)
             banner = {.message = picture_.name + " looks like an environment map.",
                       .offer = "Open as lights"};
@@ -457,10 +459,13 @@ void Session::take(DotsPlaced& event) {
 }
 
 void Session::take(TaskFailed& event) {
-    // The picture named on the command line: there is nothing to go on showing.
-    if (!placed_once()) throw std::runtime_error(event.message);
+    // Without a picture there is nothing to show: in place of the one named on the command line comes the
+    // sample.
+    const bool named = event.picture && !event.picture->empty();
+    if (!placed_once() && !named) throw std::runtime_error(event.message);
     if (event.picture) go_back_before(*event.picture);
     say(event.message);
+    if (!placed_once()) read_sample();
 }
 
 void Session::say(const std::string& sentence) {

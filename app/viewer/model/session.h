@@ -48,12 +48,10 @@ class Session {
 
     /// Draws with a tile file from now on. If it is not one the banner says why, and nothing changes.
     void open_tile(const std::filesystem::path& file);
-    /// The picture and all settings of a project. Throws std::runtime_error if they cannot be read, and
-    /// nothing changes.
-    void load_project(const std::filesystem::path& file);
-    /// The same, but the banner says what is wrong. If its picture turns out later not to be readable,
-    /// everything is again as it was before. If the picture is not there, the banner says so and offers to
-    /// find it; the project keeps its name until then.
+    /// The picture and all settings of a project. If they cannot be read the banner says so, and nothing
+    /// changes, but that the sample is opened where there is no picture yet. If its picture turns out later
+    /// not to be readable, everything is again as it was before. If the picture is not there, the banner says
+    /// so and offers to find it; the project keeps its name until then.
     void open_project(const std::filesystem::path& file);
     /// The project's picture is this one.
     void find_picture(const std::filesystem::path& file);
@@ -191,8 +189,10 @@ class Session {
     void go_back_before(const std::filesystem::path& picture);
     void name_changes();
     void know_safe(std::optional<DrawingSettings> drawing);
-    /// What goes wrong is said.
-    void attempt(const std::function<void()>& work);
+    /// Throws std::runtime_error if it cannot be read, and nothing changes.
+    void load_project(const std::filesystem::path& file);
+    /// What goes wrong is said; then false.
+    bool attempt(const std::function<void()>& work);
     /// Where it is in a file, it is one of tiles() from then on.
     void open_tile_of(DrawingSettings& drawing);
     void take(SavedSettings taken);

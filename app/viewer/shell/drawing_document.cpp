@@ -111,7 +111,7 @@ DrawingDocument::DrawingDocument(const std::optional<fs::path>& image, const std
     } else if (!ends_as_project(*image)) {
         session_.open(*image);
     } else {
-        session_.load_project(*image);
+        session_.open_project(*image);
         if (tile) session_.settings.drawing.tile = *tile;
     }
 }

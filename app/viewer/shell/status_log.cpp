@@ -12,10 +12,11 @@
 namespace dapple {
 
 nlohmann::ordered_json status_json(const StatusInfo& info, std::uint64_t placings) {
-    nlohmann::ordered_json line{
-        {"dots", info.dots},       {"duplicates", info.duplicates}, {"scale", info.scale},
-        {"zoom", info.zoom},       {"placings", placings},          {"place_ms", info.place_ms},
-        {"draw_ms", info.draw_ms}, {"steps", info.steps},           {"all_steps", info.all_steps}};
+    nlohmann::ordered_json line{{"dots", info.dots},       {"duplicates", info.duplicates},
+                                {"scale", info.scale},     {"zoom", info.zoom},
+                                {"placings", placings},    {"place_ms", info.place_ms},
+                                {"draw_ms", info.draw_ms}, {"preview", info.preview},
+                                {"steps", info.steps},     {"all_steps", info.all_steps}};
     if (const auto share = progress_of(info)) line["progress"] = *share;
     if (info.loupe)
         line["loupe"] = {{"repetition", info.loupe->repetition},

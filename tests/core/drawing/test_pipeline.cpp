@@ -535,6 +535,33 @@ TEST_CASE("whoever watches may end the drawing, with the dots that were seen las
     }
 }
 
+TEST_CASE("whoever watches sees each pen's dots from the first on, about as many as it will have") {
+    Pipeline pipeline = pipeline_of(ramp());
+    DrawingSettings settings{.placing = {.count = 3000}, .relax = 3};
+    settings.pens = parse_pens("A:#000000,B:#666666,C:#aaaaaa");
+    const DrawingPlan plan = pipeline.plan(settings);
+    std::vector<DotPieces> seen;
+    const auto drawn_until = [&](int last) {
+        Stippling drawn;
+        REQUIRE(pipeline.draw(plan, drawn, {.stop = {}, .step = [&](const Stippling& now, const auto& copy) {
+                                                seen.push_back(copy());
+                                                return now.steps < last;
+                                            }}));
+        return drawn.dots;
+    };
+    const DotPieces whole = drawn_until(3);
+    REQUIRE(seen.size() == 3);
+    for (const DotPieces& dots : seen) {
+        REQUIRE(dots.pieces.size() == 3);
+        for (std::size_t pen = 0; pen < 3; ++pen) {
+            CHECK(dots.pieces[pen].pen == int(pen));
+            CHECK(double(dots.pieces[pen].size()) == doctest::Approx(whole.pieces[pen].size()).epsilon(0.02));
+        }
+    }
+    const DotPieces ended = drawn_until(1);
+    for (std::size_t pen = 0; pen < 3; ++pen) CHECK(same(ended.pieces[pen], seen.back().pieces[pen]));
+}
+
 TEST_CASE("a drawing that is stopped says so, and the next one is whole") {
     Pipeline pipeline = pipeline_of(ramp());
     const DrawingPlan plan = pipeline.plan({.placing = {.count = 1500}, .relax = 4});
