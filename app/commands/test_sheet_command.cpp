@@ -74,11 +74,11 @@ TestSheetCommand::TestSheetCommand(CLI::App& program) {
         ->default_str("a4");
     add_gcode_options(*command, saving_);
     command->footer(
-        "Each pen draws ten single dots, pairs of dots, and six tones. The number below a pair is the gap in\n"
-        "millimetres between its dots if they were as wide as the pen. They are wider: the last gap that is\n"
-        "closed is the pen's dot gain. Give it after the width, as in 0.3+0.06, or in the window; tones are\n"
-        "then as dark as the picture's. The numbers at the tones are per cent of ink: with the right gain,\n"
-        "the one of 100 has just no paper left.\n\n"
+        "Each pen draws ten single dots, pairs of dots, and six tones. The number below a pair is the gap\n"
+        "in millimetres between its dots if they were as wide as the pen. They are wider: the last gap that\n"
+        "is closed is the pen's dot gain. Give it after the width, as in 0.3+0.06, or in the window; tones\n"
+        "are then as dark as the picture's. The numbers at the tones are per cent of ink: with the right\n"
+        "gain, the one of 100 has just no paper left.\n\n"
         "Examples:\n"
         "  dapple testsheet --pens cmyk:0.3 -o sheet.svg\n"
         "  dapple testsheet --pens 'Red:#c1121f:0.5,Black:#000:0.3' --page letter -o sheet.hpgl\n"

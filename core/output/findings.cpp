@@ -211,9 +211,8 @@ void add_joined(std::vector<Finding>& found, const DrawingFacts& facts) {
          fmt::format("{} {} closer than {:g} mm; saxi would join them",
                      dots_in_words(measured.nearer_than_saxi), measured.nearer_than_saxi == 1 ? "is" : "are",
                      kSaxiJoins),
-         apart >= 1
-             ? fmt::format("Use {} dots or a page {:.0f} % wider", about(apart), std::ceil(100 * (wider - 1)))
-             : std::string("Use fewer dots or a wider page"),
+         apart >= 1 ? fmt::format("Use {} dots or a page {:.0f} % wider", about(apart), 100 * (wider - 1))
+                    : std::string("Use fewer dots or a wider page"),
          apart);
 }
 

@@ -63,9 +63,10 @@ Pen pen_of(const Json& object) {
                         "is not known; there are name, colour, width_mm, gap_mm and gain_mm");
     Pen pen{.name = text_in(object, "name", R"("Sky")")};
     if (!is_pen_name(pen.name))
-        throw wrong("name",
-                    fmt::format("{} is not possible; give up to 40 plain letters, digits, spaces and - _ . ( )",
-                                shown(object["name"])));
+        throw wrong(
+            "name",
+            fmt::format("{} is not possible; give up to 40 plain letters, digits, spaces and - _ . ( )",
+                        shown(object["name"])));
     const std::string colour = text_in(object, "colour", R"("#3aa0d8")");
     try {
         pen.colour = parse_colour(colour);

@@ -66,8 +66,8 @@ bool draw_amount(PlacingRequest& request, const DrawnInfo& drawn, bool follows, 
 
 bool draw_amount_by(PlacingRequest& request, const DrawnInfo& drawn) {
     int by = request.count ? 1 : 0;
-    if (!segmented_row("Dot count", by, std::array{"from tone", "fixed"},
-                       "fixed: exactly this many dots. from tone: a darker picture gets more.", 1))
+    if (!segmented_row("Dot count", by, std::array{"from tone", "as set"},
+                       "as set: exactly this many dots. from tone: a darker picture gets more.", 1))
         return false;
     if (by == 0)
         use_scale(request, drawn);

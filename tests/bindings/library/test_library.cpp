@@ -200,7 +200,7 @@ TEST_CASE("tiles come as text and as points, and a drawing by a tile's text is t
         CHECK(std::ranges::count(tile.points, BinaryPoint{2 * point.x, 2 * point.y}, [](BinaryPoint other) {
                   return BinaryPoint{other.x & ~1ull, other.y & ~1ull};
               }) == 1);
-    CHECK_THROWS_WITH(tile_by_name("paper17"), doctest::Contains("paper17 is no tile"));
+    CHECK_THROWS_WITH(tile_by_name("paper17"), doctest::Contains("paper17 is not a built-in tile"));
     Stippler named, given;
     named.set_picture(ramp());
     given.set_picture(ramp());
@@ -360,8 +360,7 @@ TEST_CASE("rows have the window's names, and every field that they name can be s
         CHECK(each.value()["row"] != "");
     }
     CHECK(rows["drawing.tone.contrast"]["row"] == "Contrast");
-    CHECK(rows["drawing.tone.contrast"]["tip"] ==
-          "Above 0 parts light from dark, below 0 brings them closer together.");
+    CHECK(rows["drawing.tone.contrast"]["tip"] == "Above 0 increases the contrast; below 0 reduces it.");
     CHECK(rows["drawing.page.fit"]["choices"] == std::vector{"inside", "fill"});
     CHECK(rows["drawing.page.width_mm"]["unit"] == "mm");
 
