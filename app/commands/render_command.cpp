@@ -128,7 +128,8 @@ void check_that_fit(const CLI::App& command, const RenderOptions& options) {
     const bool pixels = has_pixels(format), table = is_table(format),
                one_pen = drawing.pens.set == PenSet::one;
     if (options.stats && is_standard_stream(*options.stats) && to_pipe)
-        throw CLI::ValidationError("--stats", "the drawing goes to the standard output already; name a file");
+        throw CLI::ValidationError("--stats",
+                                   "the drawing is written to the standard output already; name a file");
     if (several && to_pipe)
         throw CLI::ValidationError("--sheets", "makes several files; name a file to call them after");
     if (several && reads_standard_input(options))

@@ -122,7 +122,7 @@ TEST_CASE("what a plotter will make of a drawing is told without a terminal too,
     CHECK(stats["preflight"]["pen_up_before_m"] > stats["preflight"]["pen_up_m"]);
     const std::string slow = scene("h.gcode") + " --gcode laser --dwell 2 --stats - 2>/dev/null";
     CHECK(nlohmann::json::parse(run_dapple(from + slow).out)["plotting"]["dots_s"] == doctest::Approx(4000));
-    scene.must_fail(from + "- --stats -", "--stats: the drawing goes to the standard output already");
+    scene.must_fail(from + "- --stats -", "--stats: the drawing is written to the standard output already");
     const Outcome table = run_dapple(from + scene("a.csv"));
     CHECK(table.err.starts_with("2,000 dots, "));
     CHECK(table.err.find("the pen") == std::string::npos);

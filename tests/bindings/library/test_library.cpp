@@ -312,9 +312,9 @@ TEST_CASE("what is wrong is said in a sentence that names the field") {
     CHECK_THROWS_WITH(settings_of(R"({"drawing": {"count": 0}})"),
                       "settings: drawing.count is 0; give a whole number from 1 to 10000000000, or null");
     CHECK_THROWS_WITH(settings_of(R"({"drawing": {"dots": 5}})"),
-                      "settings: drawing.dots is not known; the usual settings list all fields");
+                      "settings: drawing.dots is not known; the default settings list all fields");
     CHECK_THROWS_WITH(settings_of(R"({"drawing": {"tone": {"contrst": 5}}})"),
-                      "settings: drawing.tone.contrst is not known; the usual settings list all fields");
+                      "settings: drawing.tone.contrst is not known; the default settings list all fields");
     CHECK_THROWS_WITH(settings_of(R"({"count": 5})"),
                       "settings: count is not known; fields are in \"drawing\" and \"saving\"");
     CHECK_THROWS_WITH(settings_of("{"), doctest::Contains("settings: line 1 is not JSON"));
