@@ -16,7 +16,7 @@ namespace {
 // In heights of a line of text.
 constexpr EntryBox kPresetBox{6, 4};
 constexpr float kListWidth = 30;
-constexpr EntryBox kStripBox{5, 3.6f};
+constexpr EntryBox kStripBox{5.5f, 3.6f};
 
 }  // namespace
 
