@@ -37,30 +37,29 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "dapple: %s\n", sentence->c_str());
         return 2;
     }
-    CLI::App program{"Stippling: pictures drawn with dots, live in a window or into files.", "dapple"};
+    CLI::App program{"Stippling: draws pictures with dots, live in a window or into files.", "dapple"};
     program.set_version_flag("--version", "dapple " DAPPLE_VERSION, "Show the version");
     program.footer(
         "Without a command, a window opens with the picture (the built-in sample without one).\n"
-        "dapple COMMAND --help says more.\n"
-        "Exit status: 0 if all was done, 1 if something could not be, 2 if the command line is wrong.\n\n"
+        "For more, see dapple COMMAND --help.\n"
+        "Exit status: 0 if all was done, 1 if something failed, 2 if the command line is wrong.\n\n"
         "Examples:\n"
-        "  dapple cat.jpg                               look at it, move the sliders\n"
-        "  dapple cat.jpg --tile mine.tile              drawn with a tile of your own\n"
-        "  dapple cat.dapple                            a project: picture and settings as they were saved\n"
+        "  dapple cat.jpg                               open it in the window\n"
+        "  dapple cat.jpg --tile mine.tile              draw with your own tile\n"
+        "  dapple cat.dapple                            a project: picture and settings as saved\n"
         "  dapple render cat.jpg -o cat.svg             the same as a file\n"
         "  dapple render cat.jpg -o cat.svg --dots 100000");
     program.require_subcommand(0, 1);
 
     int status = 0;
     dapple::ViewerOptions viewer;
-    program.add_option("image", viewer.image, "The picture to look at, or a project (.dapple)")
+    program.add_option("image", viewer.image, "The picture to open, or a project (.dapple)")
         ->type_name("IMAGE");
     std::string window_tile = dapple::kDefaultTile;
     const CLI::Option* const tile_of_window = dapple::add_tile(program, window_tile);
-    program.add_flag(
-        "--fresh", viewer.fresh,
-        "Open the window as on the first day: nothing that is remembered between runs (settings, "
-        "recent files, window, theme) is read or written");
+    program.add_flag("--fresh", viewer.fresh,
+                     "Opens the window with defaults: nothing remembered between runs (settings, recent "
+                     "files, window, theme) is read or written");
     // For scripts that drive the window: nothing that help need tell.
     program.add_flag("--log-status", viewer.log_status)->group("");
     program.add_flag("--own-dialog", viewer.own_dialog)->group("");
@@ -87,7 +86,7 @@ int main(int argc, char** argv) {
     const auto check_tile = [&] {
         if (tile_of_window->count() > 0 && !program.get_subcommands().empty())
             throw CLI::ValidationError("--tile",
-                                       "belongs to the window; give the command's own after its name");
+                                       "applies to the window; put a command's options after its name");
     };
     return dapple::run_program(program, argc, argv, status, check_tile);
 }

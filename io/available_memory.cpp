@@ -51,9 +51,8 @@ void check_memory(double bytes, std::string_view what, const std::optional<doubl
     const double there = allowed.value_or(static_cast<double>(available_memory()));
     if (bytes <= there) return;
     throw failure(
-        "{} would need about {} of memory, and {} are {}; choose fewer, or say --memory {:.0f}G to try it "
-        "all the same",
-        what, bytes_in_words(bytes), bytes_in_words(there), allowed ? "allowed" : "available",
+        "{} would need about {} of memory, and {} are {}; choose fewer, or try with --memory {:.0f}G", what,
+        bytes_in_words(bytes), bytes_in_words(there), allowed ? "allowed" : "available",
         std::ceil(bytes / 1e9));
 }
 

@@ -50,8 +50,7 @@ struct sigaction ignoring() {
 void end(int signal) {
     if (signal == SIGINT && tells) {
         // Over the line that shows progress, if there is one.
-        constexpr std::string_view kSentence =
-            "\r\033[Kdapple: stopped; files that were not finished are as before\n";
+        constexpr std::string_view kSentence = "\r\033[Kdapple: stopped; unfinished files are as before\n";
         const std::string_view said =
             ::isatty(STDERR_FILENO) == 1 ? kSentence : kSentence.substr(kSentence.find('d'));
         [[maybe_unused]] const auto written = ::write(STDERR_FILENO, said.data(), said.size());

@@ -30,8 +30,8 @@ void add_mural_options(CLI::App& app, Sheet& sheets) {
         sheets.rows = read.rows;
     };
     add_text(app, "--sheets", "CxR", read_sheets,
-             "All sheets of a mural, each in a file: 3x4 -o mural.svg makes mural-A1.svg to mural-C4.svg, of "
-             "3 columns and 4 rows, and mural-plan.svg, which shows how they join")
+             "Draws all sheets of a mural, each in a file: 3x4 -o mural.svg makes mural-A1.svg to "
+             "mural-C4.svg, in 3 columns and 4 rows, and mural-plan.svg, which shows how they join")
         ->group("Page");
     add_length(app, setting::overlap, sheets.overlap_mm)->group("Page");
 }

@@ -78,14 +78,14 @@ EnvironmentMap map_of(const LightsOptions& options) {
     const std::string name = printable(options.map->string());
     const std::string pixels = fmt::format("{} pixel{}", file.below_zero, file.below_zero == 1 ? "" : "s");
     if (file.below_zero > 0 && !options.clamp)
-        throw failure("{}: light is below 0 at {}; repair the map first, or give --clamp to take it as none",
+        throw failure("{}: light is below 0 at {}; repair the map first, or give --clamp to set it to 0",
                       name, pixels);
     if (file.below_zero > 0)
-        fmt::print(stderr, "dapple: {}: light below 0 at {} is taken as none\n", name, pixels);
+        fmt::print(stderr, "dapple: {}: light below 0 at {} was set to 0\n", name, pixels);
     if (file.ends_at_white)
         fmt::print(stderr,
-                   "dapple: {}: this picture has no light above white, so that a sun in it is far too dim; a "
-                   ".hdr or .exr has all of it\n",
+                   "dapple: {}: this picture has no light above white, so a sun in it is far too dim; use a "
+                   ".hdr or .exr\n",
                    name);
     return std::move(file.map);
 }
@@ -97,24 +97,26 @@ void check_that_fit(const CLI::App& command, const LightsOptions& options) {
         refuse(command,
                {"--samples", "--convention", "--rotate", "--radiance", "--position", "--mis-compensation",
                 "--order", "--placer", "--seed", "--threads", "--exposure", "--pdf", "--memory"},
-               "is not for --compare, which tries samples of several kinds and numbers");
+               "cannot be used with --compare, which tries samples of several kinds and numbers");
         return;
     }
     if (options.request.placer == PlacerKind::figure8)
-        refuse(command, {"--ranking"}, "the figure8 placer has an order of its own; leave it out");
+        refuse(command, {"--ranking"},
+               "does not apply to the figure8 placer, which has its own order; leave it out");
     if (options.request.radiance == SampleRadiance::point &&
         options.request.position != SamplePosition::random)
         throw CLI::ValidationError("--radiance",
-                                   "point is for samples drawn at random; give --position random too");
+                                   "point applies to random samples only; give --position random too");
     if (options.output.empty()) {
-        refuse(command, {"--convention", "--ranking", "--pdf"}, "is for a file; name one with --output");
+        refuse(command, {"--convention", "--ranking", "--pdf"},
+               "applies to a file only; name one with --output");
         return;
     }
     if (light_file_of(options.output) == LightFile::png) {
         refuse(command, {"--convention", "--rotate", "--radiance"},
-               "is for lists of lights; a picture shows where on the map they are");
+               "applies to lists of lights only; leave it out");
     } else {
-        refuse(command, {"--exposure"}, "is for a picture; let the output's name end in .png");
+        refuse(command, {"--exposure"}, "applies to a picture only; let the output's name end in .png");
     }
 }
 
@@ -134,13 +136,13 @@ void lights(const LightsOptions& options) {
                  options.memory);
     if (const double bytes = expected_bytes(*light_file_of(options.output), count); bytes >= kLargeFile)
         fmt::print(stderr,
-                   "dapple: {}: {} samples will take about {:.1f} GB there, and {:.1f} GB of memory\n",
+                   "dapple: {}: {} samples will take about {:.1f} GB on disk and {:.1f} GB of memory\n",
                    printable(options.output.string()), grouped(count), bytes / 1e9,
                    kMemoryOfOne * static_cast<double>(count) / 1e9);
     if (!meets_itself(tile.tile()))
         fmt::print(stderr,
-                   "dapple: {}: this tile's left and right sides do not fit each other, so samples may lie "
-                   "close together where the map's sides meet\n",
+                   "dapple: {}: this tile's left and right sides do not fit, so samples may be close "
+                   "together where the map's sides meet\n",
                    printable(options.tile));
     const LightSamples samples = light_samples(map, tile, options.request);
 
@@ -182,60 +184,60 @@ LightsCommand::LightsCommand(CLI::App& program, std::function<void(const ShownMa
                      "A latitude-longitude map, .hdr or .exr; without one, a built-in sky")
         ->type_name("MAP");
     command
-        ->add_option(
-            "-o,--output", options_.output,
-            std::string("What to write; its name ends in ") + kLightEndings + ". Without it, a window opens")
+        ->add_option("-o,--output", options_.output,
+                     std::string("The output file; its name ends in ") + kLightEndings +
+                         ". Without it, a window opens")
         ->type_name("OUT");
     add_count(*command, "-n,--samples", request.count, kMostLightSamples, "Exactly this many samples")
         ->default_str(fmt::format("{}", request.count));
     add_choice(*command, "--convention", options_.convention,
-               "Which direction in space each place on the map stands for: openexr, usd, mitsuba, blender or "
-               "pbrt; without it pbrt for .pbrt, mitsuba for .xml, else openexr");
+               "How places on the map become directions: openexr, usd, mitsuba, blender or pbrt. Without it, "
+               "pbrt for .pbrt, mitsuba for .xml, else openexr");
     add_number(*command, "--rotate", options_.rotation_degrees, {.least = -1e6, .most = 1e6}, "DEG",
-               "Turn the map about the up axis, by the right-hand rule");
+               "Rotates the map about the up axis, by the right-hand rule");
     add_choice(
         *command, "--radiance", request.radiance,
-        "A sample's radiance: mean over its region; or point, the map's where it is, with --position random");
+        "A sample's radiance. mean: over its region; point: the map's at the sample, with --position random");
     add_choice(*command, "--position", request.position,
-               "Where in its region a sample is: settled, the least error; dot, where the placer put it; "
-               "random, without any bias");
+               "A sample's place in its region. settled: the least error; dot: as placed; random: no bias");
     add_choice(*command, "--order", request.order,
-               "priority: the most important first, so that the first few are a set of their own, once the "
-               "weight of each of the others goes to the nearest of them. placed: as the tile has them");
+               "priority: the most important first, so that the first few make a set, once each of the "
+               "others adds its weight to the nearest of them. placed: in the tile's order");
     command->add_flag_callback(
         "--mis-compensation", [&request] { request.importance = LightImportance::compensated; },
-        "Sample only light above the mean: for multiple importance sampling");
+        "Samples only light above the mean: for multiple importance sampling");
     command
         ->add_option("--pdf", options_.pdf,
-                     "Also write the density by which samples are placed, per steradian at each pixel of the "
-                     "map, as it lies in its file: for multiple importance sampling; ends in .exr")
+                     "Also writes the density of the samples, per steradian at each pixel of the map, to an "
+                     ".exr: for multiple importance sampling")
         ->type_name("FILE");
     add_memory(*command, options_.memory);
     command->add_flag("--clamp", options_.clamp,
-                      "Take light below 0, which some programs leave in maps, as none");
+                      "Sets light below 0, which some programs leave in maps, to 0");
     add_choice(*command, "--placer", request.placer, "exact, or figure8 as printed in the article");
     add_tile(*command, options_.tile);
     add_choice(*command, "--ranking", options_.ranking,
-               "Order in which a tile's dots appear: paper, farthest, or energy, which errs least");
+               "Order in which a tile's dots appear: paper, farthest, or energy, which has the least error");
     add_seed(*command, request.seed,
              "Another choice of samples for every number; 0 lays the tile on the map as it is");
     add_whole_number(*command, "--threads", request.threads, {.least = 0, .most = 1024},
                      "Processor cores to use, 0 for all; the samples are the same");
     add_number(*command, "--exposure", options_.exposure, {.least = -100, .most = 100}, "STOPS",
-               "PNG: how much lighter or darker the map is shown");
+               "PNG: how much lighter or darker to show the map");
     command->footer(
         "Weights are irradiances on a surface that faces the light; they sum to the map's total flux.\n\n"
         "Examples:\n"
-        "  dapple lights hall.hdr                               look at it, and at what it lights\n"
+        "  dapple lights hall.hdr                               show it, and what it lights\n"
         "  dapple lights hall.hdr -n 1024 -o hall.json          directions, radiance, pdf and weights\n"
         "  dapple lights hall.hdr -n 300 -o hall.xml            lights for a Mitsuba 3 scene\n"
         "  dapple lights hall.hdr -n 300 -o hall.pbrt --rotate 90\n"
         "  dapple lights hall.hdr -n 8000 -o hall.png           the map with the samples drawn over it\n"
-        "  dapple lights hall.hdr --compare -o hall.html        how good they are, beside other ways");
+        "  dapple lights hall.hdr --compare -o hall.html        how good they are, compared with other "
+        "methods");
     CLI::Option* const compare =
         command->add_flag("--compare", options_.compare,
-                          std::string("Instead of a list, a report of how far the irradiance by samples of "
-                                      "several kinds is off, against their number; the output ends in ") +
+                          std::string("Writes a report instead of a list: the error of irradiance against "
+                                      "the number of samples, of several kinds; the output ends in ") +
                               kReportEndings);
     command->callback([this, command, compare] {
         if (options_.compare) {

@@ -67,7 +67,7 @@ ThresholdSize size_in(const std::string& text) {
     else if (const auto all = numbers_of<int, 3>(text, "xx"))
         size = {(*all)[0], (*all)[1], (*all)[2]};
     else
-        throw std::runtime_error(text + " is no size; give one such as 256, 320x200 or 64x64x16");
+        throw std::runtime_error(text + " is not a size; give one such as 256, 320x200 or 64x64x16");
     check_threshold_size(size);
     return size;
 }
@@ -112,19 +112,19 @@ Grid<float> light_of(const std::filesystem::path& picture) {
 
 MaskCommand::MaskCommand(CLI::App& program) {
     CLI::App* const command = program.add_subcommand(
-        "mask", "A tileable threshold mask (blue noise), which turns pictures into dots on a grid of pixels");
+        "mask",
+        "Make a tileable threshold mask (blue noise), which turns pictures into dots on a pixel grid");
     add_text(
         *command, "--size", "WxH", [this](const std::string& text) { size_ = size_in(text); },
-        "Its sides in pixels: 256, or 320x200; 64x64x16 for 16 pictures of a film, each even, and each "
-        "pixel's greys in turn too")
+        "Size in pixels: 256, or 320x200; 64x64x16 for the 16 pictures of a film, even in each and over time")
         ->default_str("64");
     add_choice(*command, "--from", order_,
-               "clusters: void and cluster, the evenest; tile: the order of a self-similar tile's dots");
+               "clusters: void and cluster, the most even; tile: the order of a self-similar tile's dots");
     add_number(*command, "--sigma", clusters_.sigma, {.least = 0.5, .most = 4}, "PIXELS",
-               "clusters: how far a pixel feels others")
+               "clusters: how far a pixel affects others")
         ->default_str("1.5");
     add_number(*command, "--slice-sigma", clusters_.slice_sigma, {.least = 0.5, .most = 8}, "SLICES",
-               "clusters of several slices: how far a pixel feels itself before and after")
+               "clusters of several slices: how far a pixel affects itself before and after")
         ->default_str("1.5");
     add_seed(*command, clusters_.seed, "clusters: another seed gives another mask");
     add_tile(*command, tile_);
@@ -135,20 +135,20 @@ MaskCommand::MaskCommand(CLI::App& program) {
                 throw std::runtime_error(text + " is not possible; give 8 or 16");
             bits_ = text == "8" ? 8 : 16;
         },
-        "Bits of a threshold: 8 have 256 steps, 16 keep all pixels of a mask up to 256 x 256 apart")
+        "Bits per threshold: 8 have 256 steps; 16 give every pixel of a mask up to 256 x 256 its own")
         ->default_str("8");
     add_number(*command, "--gain", gain_, {.least = 0, .most = 4}, "PIXELS",
-               "How far a printed pixel reaches beyond its edges, so that greys print as dark as they are")
+               "How far a printed pixel spreads beyond its edges; greys then print as dark as they should")
         ->default_str("0");
     command
         ->add_option(
             "-o,--output", output_,
-            "The mask, a name that ends in .png; of several slices mask-00.png, mask-01.png and so on")
+            "The mask; its name ends in .png. Several slices become mask-00.png, mask-01.png and so on")
         ->type_name("FILE")
         ->required();
     command
         ->add_option("--screen", screens_,
-                     "Turns this picture into dots with the mask too: mask-screened.png beside mask.png")
+                     "Also turns this picture into dots with the mask: mask-screened.png beside mask.png")
         ->type_name("IMAGE");
     command->footer(
         "A pixel is inked where the picture's darkness, 1 - light (linear), is above (mask + 1/2) / 256, or "
@@ -172,7 +172,7 @@ void MaskCommand::check(const CLI::App& command) const {
         refuse(command, {"--sigma", "--slice-sigma", "--seed"},
                "applies to --from clusters only; leave it out");
         if (size_.slices > 1 || size_.width != size_.height)
-            throw CLI::ValidationError("--size", "a mask from a tile is a square; give one side, as in 256");
+            throw CLI::ValidationError("--size", "a mask from a tile is square; give one side, as in 256");
     } else {
         refuse(command, {"--tile"}, "applies to --from tile only; give that too");
         if (size_.slices == 1)

@@ -12,11 +12,11 @@ namespace dapple {
 void add_presets_command(CLI::App& program) {
     program
         .add_subcommand("presets",
-                        "List the presets that render --preset takes: the built-in ones, and those "
-                        "that the window saved")
+                        "List the presets for render --preset: built-in ones and those that the window saved")
         ->callback([] {
             for (const Preset& preset : built_in_presets()) fmt::print("{}\t{}\n", preset.name, preset.about);
-            for (const std::string& name : own_presets(presets_folder())) fmt::print("{}\tyour own\n", name);
+            for (const std::string& name : own_presets(presets_folder()))
+                fmt::print("{}\tyour preset\n", name);
         });
 }
 

@@ -67,7 +67,7 @@ void record(const RecordOptions& options) {
     ProgressLine line;
     const FilmFrame frame = film_frames(
         pipeline, settings, options.film,
-        {.stop = {}, .progress = [&](double share) { line.show(share, "finding the pen's way"); }});
+        {.stop = {}, .progress = [&](double share) { line.show(share, "finding the pen's route"); }});
     line.restart(0);
     const std::string what = fmt::format("drawing {} pictures", frames_of(options.film));
     save_film(options.output, frame, options.film,
@@ -76,8 +76,7 @@ void record(const RecordOptions& options) {
 
 RecordCommand::RecordCommand(CLI::App& program) {
     CLI::App* const command = program.add_subcommand(
-        "record",
-        "Film how a drawing comes about: dot by dot, level by level, by zooming in, or as it is plotted");
+        "record", "Film how a drawing grows: dot by dot, level by level, by zooming in, or as it is plotted");
     const auto read_image = [this](const std::string& file) {
         if (!ends_as_project(file)) {
             options_.image = file;
@@ -91,42 +90,40 @@ RecordCommand::RecordCommand(CLI::App& program) {
     command
         ->add_option_function<std::string>(
             "image", read_image,
-            "The picture, or a project (.dapple) that the window saved; without one, the built-in sample")
+            "The picture, or a project (.dapple) saved by the window; without one, the built-in sample")
         ->type_name("IMAGE");
     add_settings_options(*command, options_.drawing,
                          [this](const SavedSettings& settings) { take(settings); });
     command
         ->add_option("-o,--output", options_.output,
-                     "The film: a name that ends in .webp, which web browsers play; or a folder, which is "
-                     "there or ends in /, for numbered PNG files")
+                     "The film: a name ending in .webp, which web browsers play; or a folder, existing or "
+                     "ending in /, for numbered PNG files")
         ->type_name("OUT")
         ->required();
     add_choice(
         *command, "--show", options_.film.kind,
-        "growth: from a few dots to all. levels: one level of tiles after the other, each in its colour. "
-        "zoom: into the middle, with ever more dots. plot: stroke by stroke, as a machine draws it");
+        "growth: from a few dots to all. levels: one level of tiles after another, each in its colour. zoom: "
+        "into the middle, with ever more dots. plot: stroke by stroke, as a machine draws it");
     add_number(*command, "--seconds", options_.film.seconds, {.least = kShortestFilm, .most = kLongestFilm},
-               "S", "How long the film is");
+               "S", "Length of the film");
     add_whole_number(*command, "--fps", options_.film.frames_per_second, {.least = 1, .most = 60},
                      "Frames per second");
     add_whole_number(*command, "--size", options_.film.longer_side, {.least = 16, .most = 4096},
                      "Pixels along the longer side");
     add_number(*command, "--depth", options_.film.depth, {.least = 1, .most = kDeepestFilm}, "TIMES",
-               "zoom: how many times larger at the end");
-    add_choice(*command, "--machine", options_.film.machine, "plot: the machine whose movements are shown");
-    add_choice(
-        *command, "--order", options_.film.order,
-        "plot: the order of the dots, as `dapple render` has it; without it, the one that suits an SVG");
+               "zoom: magnification at the end");
+    add_choice(*command, "--machine", options_.film.machine, "plot: the machine to show");
+    add_choice(*command, "--order", options_.film.order,
+               "plot: the order of the dots, as for `dapple render`; without it, the one for SVG");
     add_dot_options(*command, options_.drawing);
     add_style_options(*command, options_.drawing);
     add_tone_options(*command, options_.drawing);
     add_mask_options(*command, options_.drawing.mask, limit_);
     add_page_options(*command, options_.drawing);
     command->footer(
-        "Films other than plot show dots as placed: round, in one ink, not relaxed, and at most 2,000,000 of "
-        "them; those of growth settle at its end.\n"
-        "To make a video of numbered files, which players take if its sides are even, for example, 25 being "
-        "--fps:\n"
+        "Films other than plot show dots as placed: round, in one ink, not relaxed, and at most 2,000,000; "
+        "those of growth relax at the end.\n"
+        "To make a video of numbered files, with even sides for players, for example with --fps 25:\n"
         "  ffmpeg -framerate 25 -i frames/frame-%04d.png -vf 'crop=trunc(iw/2)*2:trunc(ih/2)*2' -pix_fmt "
         "yuv420p film.mp4\n\n"
         "Examples:\n"
@@ -154,7 +151,7 @@ RecordCommand::RecordCommand(CLI::App& program) {
         if (options_.image) read.push_back({*options_.image, "the picture"});
         check_apart(*command, {"--output"}, written, read);
         if (region_)
-            fmt::print(stderr, "the film is of the whole page, not just of {}, the region that is saved\n",
+            fmt::print(stderr, "the film shows the whole page, not just {}, the region that is saved\n",
                        text_of_region(*region_));
         record(options_);
     });

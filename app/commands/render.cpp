@@ -127,8 +127,7 @@ void check_output(const RenderOptions& options) {
     if (!is_standard_stream(options.output)) return check_can_save(options.output);
     if (is_text(format_of(options)) || !::isatty(STDOUT_FILENO)) return;
     throw std::runtime_error(
-        "the standard output is a terminal, which cannot show such a drawing; send it to a file or a "
-        "program");
+        "the standard output is a terminal, which cannot show this drawing; send it to a file or a program");
 }
 
 Picture picture_of(const RenderOptions& options) {
@@ -147,7 +146,7 @@ DrawingPlan plan_for(Pipeline& pipeline, const RenderOptions& options, bool thre
     settings.placing.thresholds = thresholds;
     DrawingPlan plan = pipeline.plan(settings);
     if (plan.density->mean() == 0 && plan.placing.count) {
-        throw std::runtime_error(fmt::format("{}: nothing to draw, all of it is as light as the paper{}",
+        throw std::runtime_error(fmt::format("{}: nothing to draw, as all of it is as light as the paper{}",
                                              name_of_image(options),
                                              options.drawing.mask.empty() ? "" : " or masked"));
     }
@@ -155,7 +154,7 @@ DrawingPlan plan_for(Pipeline& pipeline, const RenderOptions& options, bool thre
         const bool by_size = settings.dot_size.sizing == DotSizing::by_tone;
         throw std::runtime_error(fmt::format(
             "{} would make more than {} dots of {}; choose {}",
-            by_size ? "--dot-radius: radii so small" : fmt::format("--scale: {:g}", settings.placing.scale),
+            by_size ? "--dot-radius: radii this small" : fmt::format("--scale: {:g}", settings.placing.scale),
             grouped(kMostDots), name_of_image(options), by_size ? "larger ones" : "a smaller scale"));
     }
     return plan;
@@ -168,8 +167,8 @@ void check_not_empty(const DrawingPlan& plan, std::uint64_t dots, const RenderOp
     if (dots > 0 || loses || !draws_whole_page(options) || plan.density->mean() == 0) return;
     const bool by_size = options.drawing.dot_size.sizing == DotSizing::by_tone;
     throw std::runtime_error(
-        by_size ? "--dot-radius: no dots come out, as they are too large; choose smaller ones"
-                : fmt::format("--scale: no dots come out at {:g}; give a higher one", plan.placing.scale));
+        by_size ? "--dot-radius: the dots are too large for any to be drawn; choose smaller ones"
+                : fmt::format("--scale: {:g} gives no dots; give a higher one", plan.placing.scale));
 }
 
 void check_fits_format(const PageSize& page, std::uint64_t dots, const RenderOptions& options) {
@@ -193,7 +192,7 @@ void check_fits(const PageSize& page, std::uint64_t dots, const RenderOptions& o
                 continue;
             }
             throw std::runtime_error(
-                fmt::format("{0}; --sheets {1}x{1} draws all of it in parts", error.what(), n));
+                fmt::format("{0}; or draw it in parts with --sheets {1}x{1}", error.what(), n));
         }
         throw;
     }
@@ -300,7 +299,7 @@ Rendered saved_part(const PlacedPicture& placed, const RenderOptions& options, S
     if (dots.count <= kMostSortedDots || order != DotOrder::recursion) {
         held = std::make_shared<DotPieces>(sorted_by_pen(dots, DotOrder::recursion));
         times.place = stages.lap();
-        if (order == DotOrder::shortest) stages.begin("shortening the pen's way", 0.4, 0.7);
+        if (order == DotOrder::shortest) stages.begin("optimising the pen's route", 0.4, 0.7);
         curve_way =
             put_in_order(*held, order, {.stop = {}, .progress = [&](double share) { stages.show(share); }});
         times.order = stages.lap();
@@ -309,8 +308,8 @@ Rendered saved_part(const PlacedPicture& placed, const RenderOptions& options, S
 
     if (is_table(format) && plan.inking)
         stages.say(
-            "a table has dots alone: the contours and solid blacks are left out; SVG, PDF and files for "
-            "machines have them");
+            "a table has only dots: contours and solid blacks are left out; use SVG, PDF or a file for "
+            "machines");
     const auto pen_files = pen_files_of(options, format, plan.pens);
     const std::optional<double> bytes = estimated_bytes(drawing);
     if (bytes >= kReportedSize) stages.say(fmt::format("about {} will be written", bytes_in_words(*bytes)));
@@ -355,8 +354,8 @@ Rendered saved_part(const PlacedPicture& placed, const RenderOptions& options, S
     rendered.times = times;
     if (rendered.mostly_black && on_terminal())
         stages.say(
-            "nearly all dots go into black; --invert --ink '#fff' --paper '#000' --background draws "
-            "the light parts instead");
+            "nearly all dots will lie in black; use --invert --ink '#fff' --paper '#000' --background to "
+            "draw the light parts instead");
     if (!progress) print_summary(options, rendered);
     if (options.stats) save_stats(*options.stats, stats_of(options, rendered));
     return rendered;

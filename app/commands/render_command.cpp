@@ -77,7 +77,7 @@ void check_format(const RenderOptions& options) {
     }
     if (by_name == options.format) return;
     throw CLI::ValidationError(
-        "--format", fmt::format("{}, but the name {} says {}; leave one of them out",
+        "--format", fmt::format("{}, but the name {} means {}; leave one of them out",
                                 name_of(*options.format), options.output.string(), name_of(*by_name)));
 }
 
@@ -128,16 +128,17 @@ void check_that_fit(const CLI::App& command, const RenderOptions& options) {
     const bool pixels = has_pixels(format), table = is_table(format),
                one_pen = drawing.pens.set == PenSet::one;
     if (options.stats && is_standard_stream(*options.stats) && to_pipe)
-        throw CLI::ValidationError("--stats", "the drawing goes to the standard output already; name a file");
+        throw CLI::ValidationError("--stats",
+                                   "the drawing is written to the standard output already; name a file");
     if (several && to_pipe)
         throw CLI::ValidationError("--sheets", "makes several files; name a file to call them after");
     if (several && reads_standard_input(options))
         throw CLI::ValidationError("--sheets",
-                                   "the standard input can be read once only; save the picture as a file");
+                                   "the standard input can be read only once; save the picture as a file");
     refuse_if(!several && command.count("--sheet") == 0, {"--overlap"},
               "applies to sheets only; give --sheets or --sheet too");
     refuse_if(one_pen, {"--registration", "--pen-order", "--pen-ink", "--pen-files"},
-              "is for several pens; give --pens too");
+              "applies to several pens only; give --pens too");
     const std::string plotted =
         "applies to files for plotting only; " + let_it_end_in(".svg, .pdf, .gcode, .hpgl or .dxf");
     const std::string of_pixels = "applies to a PNG or a TIFF only; " + let_it_end_in(".png or .tif");
@@ -147,7 +148,7 @@ void check_that_fit(const CLI::App& command, const RenderOptions& options) {
               plotted + ", or give --separations too");
     refuse_if(format != DrawingFormat::svg, {"--tiles"}, "only an SVG has layers; " + let_it_end_in(".svg"));
     refuse_if(!pixels, {"--dpi"}, "only a PNG or a TIFF has pixels; " + let_it_end_in(".png or .tif"));
-    refuse_if(one_pen, {"--separations"}, "is for several pens; give --pens too");
+    refuse_if(one_pen, {"--separations"}, "applies to several pens only; give --pens too");
     refuse_if(!pixels, {"--separations"}, of_pixels);
     refuse_if(to_pipe, {"--separations", "--pen-files"},
               "makes several files; name a file to call them after");
@@ -211,7 +212,7 @@ void take_image(RenderOptions& options, const std::filesystem::path& file) {
 
 void check_batch_picture(const std::string& file) {
     if (file == kStandardStream)
-        throw CLI::ValidationError("IMAGE", "- cannot be one of several; name files alone");
+        throw CLI::ValidationError("IMAGE", "- cannot be one of several; name only files");
     if (ends_as_project(file)) {
         throw CLI::ValidationError("IMAGE", file +
                                                 ": a project cannot be one of several; give pictures, and "
@@ -232,14 +233,15 @@ void take_folder(RenderOptions& options, std::size_t pictures) {
     if (pictures > 1) return;
     if (!options.image || is_standard_stream(*options.image))
         throw CLI::ValidationError("--output", options.output.string() +
-                                                   " is a folder, where drawings have their pictures' names, "
+                                                   " is a folder, where drawings take their pictures' names, "
                                                    "and this picture has none; name a file");
     make_folder(options.output);
     options.output = output_in(options.output, *options.image, *options.format);
 }
 
 constexpr const char* kExamples =
-    "\nExamples:\n"
+    "\n"
+    "Examples:\n"
     "  dapple render cat.jpg -o cat.svg                    40,000 dots on a page 200 mm wide\n"
     "  dapple render cat.jpg -o cat.svg --dots 100000 --width 400\n"
     "  dapple render cat.jpg -o cat.png --dpi 600 --ink '#1d3557'\n"
@@ -249,13 +251,13 @@ constexpr const char* kExamples =
     "  dapple render cat.jpg -o cat.svg --page a4 --pens cmyk:0.3   a layer for each of four pens\n"
     "  dapple render cat.jpg -o cat.svg --page 8.5x11in --fit fill --margin 0.5in\n"
     "  dapple render cat.jpg -o part.svg --width 2000 --sheet 2,1/3x4   one sheet of a mural\n"
-    "  dapple render cat.jpg -o mural.pdf --width 1000 --sheets 4x4 --overlap 10   all of them, and a plan\n"
+    "  dapple render cat.jpg -o mural.pdf --width 1000 --sheets 4x4 --overlap 10   all sheets, and a plan\n"
     "  dapple render cat.jpg -o eye.svg --region 60,40,80x50   a detail, to try pen and paper\n"
     "  dapple render cat.jpg -o cat.csv --stats cat.json   the dots as numbers, and figures about them\n"
     "  dapple render cat.jpg -o cat.gcode --gcode laser --feed 6000 --dwell 0.02\n"
     "  convert cat.jpg -resize 50% png:- | dapple render - -o - --format pdf > cat.pdf\n"
     "  dapple render *.jpg -o drawings/ --format pdf       a drawing of each\n"
-    "  dapple render cat.dapple -o cat.png --dpi 600       what the window saved as a project\n"
+    "  dapple render cat.dapple -o cat.png --dpi 600       a project that the window saved\n"
     "  dapple render dog.jpg -o dog.svg --settings-from cat.svg   as cat.svg was drawn\n"
     "  dapple render -o sample.svg --invert --ink '#fff' --paper '#000' --background";
 
@@ -304,12 +306,11 @@ WorkShare share_of_rank() {
         if (!rank_text || !size_text) continue;
         const auto rank = number_of<std::size_t>(rank_text), size = number_of<std::size_t>(size_text);
         if (!rank || !size || *rank >= *size)
-            throw failure("auto: {}={} and {}={} are no rank among several", rank_name, rank_text, size_name,
+            throw failure("auto: {}={} and {}={} give no rank among several", rank_name, rank_text, size_name,
                           size_text);
         return {*rank, *size};
     }
-    throw std::runtime_error(
-        "auto is for runs that mpirun or srun starts, which say their rank; give a share such as 1/4");
+    throw std::runtime_error("auto applies to runs started by mpirun or srun only; give a share such as 1/4");
 }
 
 }  // namespace
@@ -344,9 +345,9 @@ void RenderCommand::add_input_options(CLI::App& command) {
     command
         .add_option_function<std::vector<std::string>>(
             "image", read_image,
-            "The picture, - for the standard input, or a project (.dapple) that the window saved, whose "
-            "settings the other options change; without one, the built-in sample. Several pictures become as "
-            "many drawings in a folder")
+            "The picture, - for the standard input, or a project (.dapple) saved by the window, whose "
+            "settings the other options change; without one, the built-in sample. Several pictures become a "
+            "drawing each in a folder")
         ->type_name("IMAGE");
     add_settings_options(command, options_.drawing, [this](const SavedSettings& settings) {
         options_.drawing = settings.drawing;
@@ -359,32 +360,30 @@ void RenderCommand::add_output_options(CLI::App& command) {
     command
         .add_option("-o,--output", options_.output,
                     "The drawing; its name ends in " + drawing_endings() +
-                        ". - for the standard output. A folder, which is there or ends in /: drawings named "
-                        "after their pictures, of --format")
+                        ". - for the standard output. A folder, existing or ending in /: drawings named "
+                        "after their pictures, in --format")
         ->type_name("OUT")
         ->required();
-    add_choice(command, "--format", options_.format,
-               "The format where no file's name gives it; without it, an SVG");
-    add_whole_number(
-        command, "--jobs", jobs_, {.least = 0, .most = 256},
-        "How many pictures to draw at a time, where there are several; 0: one for each two cores, 4 at most");
+    add_choice(command, "--format", options_.format, "The format if no file name gives it; without it, SVG");
+    add_whole_number(command, "--jobs", jobs_, {.least = 0, .most = 256},
+                     "How many of several pictures to draw at a time; 0: one for every two cores, at most 4");
     add_text(
         command, "--share", "R/N|auto",
         [this](const std::string& text) {
             if (text == "auto") return void(options_.share = share_of_rank());
             const auto share = numbers_of<std::size_t, 2>(text, "/");
             if (!share || (*share)[0] < 1 || (*share)[0] > (*share)[1])
-                throw std::runtime_error(text + " is no share; give one such as 1/4, the first of four");
+                throw std::runtime_error(text + " is not a share; give one such as 1/4, the first of four");
             options_.share = {(*share)[0] - 1, (*share)[1]};
         },
-        "Of several pictures or sheets only each N-th, from the R-th on, so that N runs, on as many "
-        "machines, share the work; auto: the share of this run's rank, as mpirun and srun say it");
+        "Draws only every N-th of several pictures or sheets, from the R-th on, so that N runs share the "
+        "work; auto: the share of this run's rank under mpirun or srun");
     command
         .add_option("--stats", options_.stats,
-                    "Save figures about the drawing, as JSON; - for the standard output")
+                    "Saves figures about the drawing, as JSON; - for the standard output")
         ->type_name("FILE");
     command.add_flag_callback(
-        "--huge", [this] { options_.limit = PictureLimit::huge; }, "Read pictures over 400 megapixels too");
+        "--huge", [this] { options_.limit = PictureLimit::huge; }, "Also reads pictures over 400 megapixels");
     add_memory(command, options_.memory);
 }
 
@@ -412,17 +411,19 @@ void RenderCommand::run(const CLI::App& command) {
     check_options(command, options_.drawing, automatic_tone_);
     take_folder(options_, pictures_.size());
     take_usual_shape(command, options_);
-    if (pictures_.size() < 2) refuse(command, {"--jobs"}, "is for several pictures; leave it out");
+    if (pictures_.size() < 2) refuse(command, {"--jobs"}, "applies to several pictures only; leave it out");
     if (command.count("--share") > 0) {
         if (pictures_.size() < 2 && !is_several(options_.drawing.sheets))
-            refuse(command, {"--share"}, "is for several pictures, or the sheets of a mural; leave it out");
+            refuse(command, {"--share"},
+                   "applies to several pictures or the sheets of a mural only; leave it out");
         refuse(command, {"--stats"},
                "would be written by each of the runs that share the work; leave it out");
     }
     take_part(command, options_);
     check_that_fit(command, options_);
     if (!pictures_.empty() && is_several(options_.drawing.sheets))
-        throw CLI::ValidationError("--sheets", "is for one picture; draw the others' sheets by themselves");
+        throw CLI::ValidationError("--sheets",
+                                   "applies to one picture only; draw the others' sheets one by one");
     check_names_differ(pictures_, options_.output, format_of(options_));
     check_files_apart(command, options_, pictures_);
     if (pictures_.empty()) {

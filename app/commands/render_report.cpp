@@ -83,7 +83,7 @@ std::string strokes_in_words(const StrokeFigures& strokes, DrawingStyle style) {
                    : fmt::format("touches the paper {} times", grouped(strokes.strokes));
     const std::string longest =
         style == DrawingStyle::line
-            ? fmt::format(", {} at most from dot to dot", millimetres_in_words(strokes.longest_mm))
+            ? fmt::format(", at most {} from dot to dot", millimetres_in_words(strokes.longest_mm))
             : "";
     return fmt::format("draws {} {} of {}{}", grouped(strokes.strokes), one ? "line" : "lines",
                        way_in_words(strokes.drawn_m), longest);
@@ -98,24 +98,24 @@ void print_summary(const RenderOptions& options, const Rendered& drawn) {
     const bool shortened =
         drawn.curve_way_m && drawn.preflight && *drawn.curve_way_m > 1.01 * drawn.preflight->pen_up_m;
     const std::string saved =
-        shortened ? fmt::format(" ({} before its way was shortened)", way_in_words(*drawn.curve_way_m))
+        shortened ? fmt::format(" ({} unoptimised)", way_in_words(*drawn.curve_way_m))
         : drawn.plotting && drawn.order == DotOrder::space && !options.saving.order
-            ? " (so many dots follow a curve; --order shortest finds a shorter way)"
+            ? " (along a curve, for this many dots; --order shortest finds a shorter route)"
             : "";
     const bool alike = !has_several_sizes(options.drawing) && drawn.pens.empty() && !drawn.strokes;
     const std::string wide =
         alike && drawn.dots > 0 ? fmt::format(", {} wide", millimetres_in_words(2 * drawn.radius_mm)) : "";
     const std::string dots = dots_in_words(drawn.dots) + size + wide;
     if (drawn.dots == 0)
-        fmt::print(stderr, "{}: all of this is bare paper\n", dots);
+        fmt::print(stderr, "{}: this is all bare paper\n", dots);
     else if (const auto& strokes = drawn.strokes)
-        fmt::print(
-            stderr, "{}; the pen {}{}{}\n", dots, strokes_in_words(*strokes, options.drawing.style),
-            strokes->strokes > 1 ? fmt::format(", and moves {} between them", way_in_words(strokes->pen_up_m))
-                                 : "",
-            strokes->drawn_m == 0 || saved.empty() || !drawn.preflight
-                ? saved
-                : fmt::format("; from dot to dot {}{}", way_in_words(drawn.preflight->pen_up_m), saved));
+        fmt::print(stderr, "{}; the pen {}{}{}\n", dots, strokes_in_words(*strokes, options.drawing.style),
+                   strokes->strokes > 1
+                       ? fmt::format(", and moves {} between them", way_in_words(strokes->pen_up_m))
+                       : "",
+                   strokes->drawn_m == 0 || saved.empty() || !drawn.preflight
+                       ? saved
+                       : fmt::format("; pen travel {}{}", way_in_words(drawn.preflight->pen_up_m), saved));
     else if (drawn.pixels.x > 0)
         fmt::print(stderr, "{}; {} x {} pixels\n", dots, drawn.pixels.x, drawn.pixels.y);
     else if (drawn.preflight && !drawn.plotting && drawn.dots > 1)
@@ -139,10 +139,8 @@ void print_summary(const RenderOptions& options, const Rendered& drawn) {
     print_pens(drawn);
     for (const Finding& finding : drawn.findings) {
         // The line above has said how long it takes.
-        if (finding.kind == FindingKind::hours)
-            fmt::print(stderr, "to plot for less time: {}\n", finding.cure);
-        else
-            fmt::print(stderr, "{}\n", sentence_of(finding));
+        const bool timed = finding.kind == FindingKind::hours;
+        fmt::print(stderr, "{}\n", timed ? finding.cure : sentence_of(finding));
     }
 }
 

@@ -30,7 +30,7 @@ ProjectInput read_project_input(const std::filesystem::path& file) {
     input.picture = std::move(project.picture);
     if (!photograph)
         throw std::runtime_error(printable(file.native()) +
-                                 ": shows a plain density, which the window alone draws; choose the "
+                                 ": shows a plain density, which only the window draws; choose the "
                                  "photograph there, under The method, and save it again");
     return input;
 }
@@ -46,7 +46,7 @@ void take_tool(SavingChoice& saving, const std::string& text) {
     }
     std::error_code looped;  // reading it says so
     if (!std::filesystem::exists(text, looped) && !looped)
-        throw failure("--gcode: {} is neither pen, servo nor laser, nor a file with a template", text);
+        throw failure("--gcode: {} is not pen, servo, laser or a file with a template", text);
     saving.gcode_template = read_gcode_template(text);
 }
 
@@ -56,8 +56,8 @@ void add_gcode_options(CLI::App& command, SavingChoice& saving) {
     command
         .add_option_function<std::string>(
             "--gcode", [&saving](const std::string& text) { take_tool(saving, text); },
-            "G-code: what the machine does at a dot. pen: lowers it by the Z axis; servo: turns a servo by "
-            "M3; laser: a burst by M3, a short one by M4; or a template of your own, see below")
+            "G-code: what the machine does at a dot. pen: lowers it with the Z axis; servo: turns a servo "
+            "(M3); laser: a burst by M3, or by M4 if short; or a custom template, see below")
         ->type_name("pen|servo|laser|FILE")
         ->default_str("pen")
         ->group("G-code");
@@ -72,12 +72,12 @@ void add_gcode_options(CLI::App& command, SavingChoice& saving) {
 }
 
 const char* gcode_help() {
-    return "A template for --gcode is a text whose lines begin with start, move, dot or end: what is written "
-           "once before the dots, for the way to each dot, at each dot, and once after them. {x} and {y} "
-           "stand for the dot's place in mm from the lower left corner, {radius} for its radius, {feed}, "
+    return "A template for --gcode is a text file whose lines begin with start, move, dot or end: what to "
+           "write once before the dots, to move to each dot, at each dot, and once after them. {x} and {y} "
+           "stand for the dot's position in mm from the lower left corner, {radius} for its radius, {feed}, "
            "{dwell}, {up}, {down} and {power} for the options, {burn} for the feed at which 0.05 mm take as "
-           "long as the dwell. For lines to draw, lines that begin with down, line and up say what begins "
-           "one, leads to each next point, and ends it. A pen that a servo turns:\n"
+           "long as the dwell. To draw lines, add lines that begin with down, line and up: what begins a "
+           "stroke, leads to its next point, and ends it. A pen that a servo turns:\n"
            "  start G21\n"
            "  start G90\n"
            "  move G1 X{x} Y{y} F{feed}\n"
@@ -92,7 +92,7 @@ void add_settings_options(CLI::App& command, const DrawingSettings& present,
     command
         .add_option_function<std::string>(
             "--settings-from", [take](const std::string& file) { take(settings_from(file)); },
-            "Draw with the settings of a project, or of a drawing (.svg, .png) that Dapple made; the other "
+            "Uses the settings of a project, or of a drawing (.svg, .png) made with Dapple; the other "
             "options change them")
         ->type_name("FILE");
     const auto read_preset = [take, &present](const std::string& name) {
@@ -102,8 +102,8 @@ void add_settings_options(CLI::App& command, const DrawingSettings& present,
     };
     command
         .add_option_function<std::string>("--preset", read_preset,
-                                          "Draw with the settings of a preset; the other options change "
-                                          "them. `dapple presets` lists the presets")
+                                          "Uses the settings of a preset; the other options change them. "
+                                          "`dapple presets` lists the presets")
         ->type_name("PRESET")
         ->excludes("--settings-from");
 }
@@ -126,18 +126,18 @@ void add_mask_options(CLI::App& command, Mask& mask, const PictureLimit& limit) 
     command
         .add_option_function<std::string>(
             "--mask", read_mask,
-            "A grey picture laid over the whole picture, before it is cropped or turned: middle grey "
-            "(#808080) changes nothing, darker gives fewer dots, black none, lighter more, white four times "
-            "as many where the tone leaves room; kept with 512 pixels along its longer side. none: drops the "
-            "mask of the project")
+            "A grey picture laid over the whole picture, before crop and rotation: middle grey (#808080) "
+            "changes nothing, darker gives fewer dots, black none, lighter more, white four times as many "
+            "where the tone leaves room; kept with 512 pixels along its longer side. none: drops the "
+            "project's mask")
         ->type_name("FILE|none")
         ->group("Tone");
     command
         .add_option_function<std::string>(
             "--finer", read_finer,
-            "A grey picture laid over the picture as --mask is: black changes nothing, lighter gives more "
-            "and smaller dots at the same tone, white four times as many of half the width. none: drops what "
-            "the project or --mask has of it")
+            "A grey picture laid over the picture like --mask: black changes nothing, lighter gives more and "
+            "smaller dots at the same tone, white four times as many of half the width. none: drops the "
+            "project's")
         ->type_name("FILE|none")
         ->group("Tone");
 }

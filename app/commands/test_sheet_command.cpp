@@ -59,9 +59,9 @@ TestSheetCommand::TestSheetCommand(CLI::App& program) {
     drawing_.page.paper = Paper::a4;
     drawing_.registration = true;
     CLI::App* const command = program.add_subcommand(
-        "testsheet", "A page of dots and tones for pens to draw, which shows how wide their dots come out");
+        "testsheet", "Make a page of dots and tones, which shows how wide your pens' dots become");
     add_pens(*command, drawing_.pens,
-             "The pens, as dapple render takes them; each has a width, as in cmyk:0.3 or "
+             "The pens, as for dapple render, each with a width, as in cmyk:0.3 or "
              "Sky:#3aa0d8:0.3,Ochre:#c08a2e:0.5")
         ->required();
     command
@@ -70,21 +70,19 @@ TestSheetCommand::TestSheetCommand(CLI::App& program) {
         ->type_name("OUT")
         ->required();
     add_paper(*command, drawing_.page,
-              "A paper, a4 to a0, letter, legal, tabloid and so on, or a size such as 210x297")
+              "A paper: a4 to a0, letter, legal, tabloid and so on, or a size such as 210x297")
         ->default_str("a4");
     add_gcode_options(*command, saving_);
     command->footer(
-        "Each pen draws ten single dots, pairs of dots, and six tones. The number below a pair is the gap "
-        "in\n"
-        "millimetres that would be between its dots if they were as wide as the pen. They are wider: the "
-        "last\n"
-        "gap that is closed is the pen's dot gain. Give it behind the width, as in 0.3+0.06, or type it into "
-        "the\nwindow's row of that name; tones are then as dark as the picture's. The tones beside it are of "
-        "so\nmany per cent of ink: with the right gain, the one of 100 has just no paper left.\n\n"
+        "Each pen draws ten single dots, pairs of dots, and six tones. The number below a pair is the gap\n"
+        "in millimetres between its dots if they were as wide as the pen. They are wider: the last gap that\n"
+        "is closed is the pen's dot gain. Give it after the width, as in 0.3+0.06, or in the window; tones\n"
+        "are then as dark as the picture's. The numbers at the tones are per cent of ink: with the right\n"
+        "gain, the one of 100 has just no paper left.\n\n"
         "Examples:\n"
         "  dapple testsheet --pens cmyk:0.3 -o sheet.svg\n"
         "  dapple testsheet --pens 'Red:#c1121f:0.5,Black:#000:0.3' --page letter -o sheet.hpgl\n"
-        "  dapple render cat.jpg --pens cmyk:0.3+0.06 -o cat.svg      with the gain that it showed");
+        "  dapple render cat.jpg --pens cmyk:0.3+0.06 -o cat.svg      with the gain found");
     command->callback([this, command] {
         if (drawing_format(output_) != DrawingFormat::gcode)
             refuse(

@@ -49,7 +49,7 @@ void list_tiles(std::ostream& out) {
 }  // namespace
 
 TileCommand::TileCommand(CLI::App& program) {
-    CLI::App* const tile = program.add_subcommand("tile", "Tiles: list, show");
+    CLI::App* const tile = program.add_subcommand("tile", "List and show tiles");
     tile->require_subcommand(1);
     tile->footer(
         "TILE is a built-in tile's name, a tile file, or the paper's two integers.\n"

@@ -141,7 +141,7 @@ async function main() {
         const page = `${Math.round(result.width)} x ${Math.round(result.height)} mm`;
         byId("count").textContent = dots;
         byId("page").textContent = page;
-        byId("work").textContent = done ? "" : "settling";
+        byId("work").textContent = done ? "" : "relaxing";
         if (done) {
             byId("said").textContent = `${dots} on ${page}`;
             document.querySelector("canvas").ariaLabel = `${name}, drawn with ${dots} on ${page}`;
@@ -230,7 +230,7 @@ async function main() {
         if (!picture) return;
         say("");
         newest = wantedNow();
-        byId("work").textContent = "settling";
+        byId("work").textContent = "relaxing";
         place(newest);
         clearTimeout(timer);
         if (camera) return;
@@ -293,7 +293,7 @@ async function main() {
     const isTrue = () => !drawing().automatic_tone && TONE.every((field) => drawing().tone[field] === usual.drawing.tone[field]);
     const automaticTone = row(sliderRow, "drawing.tone_strength", {
         get: () => (isTrue() ? 0 : drawing().tone_strength),
-        shown: (strength) => isTrue() || (drawing().automatic_tone && strength === 0) ? "true" : drawing().automatic_tone ? undefined : "own",
+        shown: (strength) => isTrue() || (drawing().automatic_tone && strength === 0) ? "true" : drawing().automatic_tone ? undefined : "custom",
         set: (value) => change((d) => {
             const strength = value ?? usual.drawing.tone_strength, before = d.automatic_tone;
             for (const field of TONE) d.tone[field] = usual.drawing.tone[field];
@@ -308,7 +308,7 @@ async function main() {
     const INKS = {one: "one ink", white: "white on black", greys: "greys", cmyk: "CMYK", "auto:4": "automatic"};
     const isWhite = () => drawing().pens === "one" && drawing().tone.invert && drawing().ink === "#ffffff" && drawing().paper === "#000000";
     const inks = row(choiceRow, "drawing.pens", {
-        choices: Object.entries(INKS).concat([["own", "own pens"]]),
+        choices: Object.entries(INKS).concat([["own", "custom pens"]]),
         get: () => (isWhite() ? "white" : drawing().pens in INKS ? drawing().pens : "own"),
         set: (value) => change((d) => {
             if (value === "own") return;
@@ -379,14 +379,14 @@ async function main() {
             row(choiceRow, "drawing.tile", {choices: tiles.map((tile) => [tile, tile])}),
             row(switchRow, "drawing.show_tiles"),
             row(switchRow, "drawing.tile", {
-                about: {row: "Split view", tip: "Another tile on the right side of a line that can be dragged."},
+                about: {row: "Split view", tip: "Shows another tile to the right of a line that you can drag."},
                 get: () => rightTile !== undefined,
                 set: (on) => beside(on ? "best32" : undefined)}),
             row(choiceRow, "drawing.tile", {
-                about: {row: "Right tile", tip: "The tile that the right side's dots come from."},
+                about: {row: "Right tile", tip: "The tile of the right side's dots."},
                 choices: tiles.map((tile) => [tile, tile]), get: () => rightTile, set: beside, applies: () => rightTile !== undefined}),
             row(switchRow, "drawing.tile", {
-                about: {row: "Spectrum", tip: "The waves in the dots, slow ones in the middle: a dark disc with an even ring is good. Orange spots are stronger than chance makes them. Periodicity is the share of dots that meet another one when all are moved by whole tiles: 0 is chance, 1 a wallpaper."},
+                about: {row: "Spectrum", tip: "The spectrum of the dots, low frequencies in the middle: a dark disc with an even ring is good. Orange spots are stronger than chance. Periodicity is the share of dots that meet another when all are shifted by whole tiles: 0 = random, 1 = repeats exactly."},
                 get: () => spectrumShown,
                 set: (on) => change(() => { spectrumShown = on; })}),
             spectraShown,

@@ -194,10 +194,10 @@ void read_paper(std::string_view text, PageSetup& setup) {
     }
     const std::size_t by = text.find('x');
     const auto wrong = [&] {
-        return std::runtime_error(fmt::format(
-            "{} is not known; there are a0 to a6, b0 to b6, letter, legal, tabloid, ansi-c to ansi-e, arch-a "
-            "to arch-e, and any size such as 210x297 or 8.5x11in",
-            text));
+        return std::runtime_error(
+            fmt::format("{} is not known; give a0 to a6, b0 to b6, letter, legal, tabloid, ansi-c to ansi-e, "
+                        "arch-a to arch-e, or a size such as 210x297 or 8.5x11in",
+                        text));
     };
     if (by == std::string_view::npos) throw wrong();
     const std::string second(text.substr(by + 1));

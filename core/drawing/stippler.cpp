@@ -47,8 +47,8 @@ DrawingFormat text_format(std::string_view name) {
 
 StoredTile tile_by_name(std::string_view name) {
     if (std::optional<StoredTile> known = tile_called(name)) return *std::move(known);
-    throw std::runtime_error(fmt::format(
-        "{} is no tile that comes with Dapple; read a tile's file, and give its text to set_tile()", name));
+    throw std::runtime_error(
+        fmt::format("{} is not a built-in tile; read a tile's file, and give its text to set_tile()", name));
 }
 
 Palette pens_of(const DrawingPlan& plan, const DrawingSettings& settings) {

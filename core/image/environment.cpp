@@ -89,7 +89,8 @@ void check(const Grid<glm::vec3>& radiance) {
     const auto& [width, height, values] = radiance;
     if (radiance.empty() || width != 2 * height) {
         throw failure(
-            "{} x {} pixels are no latitude-longitude map, which is twice as wide as high; convert it first",
+            "{} x {} pixels are not a latitude-longitude map, which is twice as wide as high; convert it "
+            "first",
             width, height);
     }
     for (int y = 0; y < height; ++y) {
@@ -123,7 +124,7 @@ EnvironmentMap::EnvironmentMap(Grid<glm::vec3> radiance) : radiance_(std::move(r
         total_flux_ += row * solid_angle(y);
     }
     if (!(luminance(total_flux_) > 0))
-        throw std::runtime_error("the map is black all over: there is no light to take samples of");
+        throw std::runtime_error("the map is black all over: there is no light to sample");
 }
 
 double EnvironmentMap::solid_angle(int row) const {

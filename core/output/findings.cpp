@@ -137,18 +137,18 @@ void add_hours(std::vector<Finding>& found, const DrawingFacts& facts) {
     const double seconds = facts.plotting.total_s();
     if (!facts.machine || seconds < kLongPlottingS) return;
     double amount = in_two_digits(static_cast<double>(facts.dots) * 3600 / seconds);
-    std::string cure = fmt::format("{} dots take about an hour", about(amount));
+    std::string cure = fmt::format("Use {} dots to plot for about an hour", about(amount));
     const bool lifts = facts.plotting.lifting_s > seconds / 2;
     if (facts.ink.as == DotsAs::lines) {
-        cure = "fewer dots make a shorter line";
+        cure = "Use fewer dots for a shorter line";
         amount = 0;
     } else if (amount < 2) {
-        cure = "shorter rests and faster moves take less";
+        cure = "Use shorter rests and faster moves";
         amount = 0;
     } else if (lifts)
-        cure += ", and one line through all dots lifts the pen once";
+        cure += ", or one line through all dots, which lifts the pen once";
     tell(found, FindingKind::hours,
-         fmt::format("plotting takes {} on {}, {}", time_in_words(seconds), words_for(*facts.machine),
+         fmt::format("Plotting takes {} on {}, {}", time_in_words(seconds), words_for(*facts.machine),
                      what_takes_longest(facts.plotting)),
          std::move(cure), amount);
 }
@@ -158,31 +158,27 @@ void add_tone(std::vector<Finding>& found, const DrawingFacts& facts) {
     const double ratio = facts.for_tone->dots / static_cast<double>(facts.dots);
     if (!far_from_tone(ratio)) return;
     const double own = facts.ink.reach_mm(facts.ink.radius_mm, 0);
-    tell(
-        found, FindingKind::tone,
-        fmt::format("the drawing is {} than the picture", ratio > 1 ? "paler" : "darker"),
-        fmt::format("{} dots {} wide would give its tone, or these dots {} wide", about(facts.for_tone->dots),
-                    millimetres_in_words(2 * own), millimetres_in_words(2 * facts.for_tone->radius_mm)),
-        in_two_digits(facts.for_tone->dots));
+    tell(found, FindingKind::tone,
+         fmt::format("The drawing will look {} than the picture", ratio > 1 ? "paler" : "darker"),
+         fmt::format("Use {} dots {} wide, or make these dots {} wide", about(facts.for_tone->dots),
+                     millimetres_in_words(2 * own), millimetres_in_words(2 * facts.for_tone->radius_mm)),
+         in_two_digits(facts.for_tone->dots));
 }
 
 void add_ink(std::vector<Finding>& found, const DrawingFacts& facts) {
     const Preflight& measured = *facts.measured;
     if (facts.ink.as == DotsAs::rings && facts.dots > 0)
-        tell(found, FindingKind::rings,
-             fmt::format("a plotter follows the circles' outlines: {} of rings",
-                         way_in_words(measured.rings_m)),
-             "with the dot shape point it touches the paper once for each, and a spiral or a hatch fills "
-             "them");
+        tell(found, FindingKind::rings, "A plotter would draw outlines only",
+             "Choose the dot shape point, or fill with a spiral or hatch");
     const double share = share_of(measured.overlapping, facts);
     if (is_drawn_by_pen(facts) && share >= kTold) {
         const bool lines = facts.ink.as == DotsAs::lines;
         tell(found, FindingKind::overlap,
-             fmt::format("{:.0f} % of the dots {}, with ink up to {} wide", std::ceil(100 * share - 1e-9),
-                         lines ? "are so near to others that the lines run together" : "overlap others",
+             fmt::format("{:.0f} % of the dots will {}, with ink up to {} wide",
+                         std::ceil(100 * share - 1e-9), lines ? "make lines run together" : "overlap others",
                          millimetres_in_words(2 * facts.ink.reach_mm(facts.ink.radius_mm, 0))),
-             lines || facts.ink.as == DotsAs::touches ? "fewer dots, a wider page or a finer pen part them"
-                                                      : "fewer dots, a wider page or smaller dots part them");
+             lines || facts.ink.as == DotsAs::touches ? "Use fewer dots, a wider page or a finer pen"
+                                                      : "Use fewer dots, a wider page or smaller dots");
     }
 }
 
@@ -191,15 +187,15 @@ void add_pens(std::vector<Finding>& found, const DrawingFacts& facts) {
     for (const DrawingFacts::OfPen& pen : facts.pens) {
         if (pen.nearer > 0)
             tell(found, FindingKind::gap,
-                 fmt::format("{} of {}'s dots are nearer to each other than its smallest gap of {:g} mm, and "
-                             "run together",
-                             grouped(pen.nearer), pen.name, pen.gap_mm),
-                 "fewer dots or a wider page part them");
+                 fmt::format(
+                     "{} of {}'s dots are closer than its smallest gap of {:g} mm and will run together",
+                     grouped(pen.nearer), pen.name, pen.gap_mm),
+                 "Use fewer dots or a wider page");
         const bool draws_few = pen.dots > 0 && share_of(pen.dots, facts) < kFew;
         if (draws_few && facts.whole_page && is_drawn_by_pen(facts))
             tell(found, FindingKind::few,
                  fmt::format("{} draws only {} of the dots", pen.name, grouped(pen.dots)),
-                 "without that pen the drawing looks nearly the same, and one change of pens is saved");
+                 "Remove that pen to save a pen change; the drawing will look nearly the same");
     }
 }
 
@@ -212,12 +208,11 @@ void add_joined(std::vector<Finding>& found, const DrawingFacts& facts) {
     const double apart =
         facts.whole_page ? in_two_digits(static_cast<double>(facts.dots) / (wider * wider)) : 0;
     tell(found, FindingKind::joined,
-         fmt::format("{} {} nearer to others than {:g} mm, which saxi joins by a line, and {} nearer than "
-                     "{:g} mm, which AxiDraw's program does",
+         fmt::format("{} {} closer than {:g} mm; saxi would join them",
                      dots_in_words(measured.nearer_than_saxi), measured.nearer_than_saxi == 1 ? "is" : "are",
-                     kSaxiJoins, grouped(measured.nearer_than_axidraw), kAxiDrawJoins),
-         apart >= 1 ? fmt::format("{} dots or a page {:.1f} times as wide part them", about(apart), wider)
-                    : std::string("fewer dots or a wider page part them"),
+                     kSaxiJoins),
+         apart >= 1 ? fmt::format("Use {} dots or a page {:.0f} % wider", about(apart), 100 * (wider - 1))
+                    : std::string("Use fewer dots or a wider page"),
          apart);
 }
 
@@ -225,9 +220,8 @@ void add_long_link(std::vector<Finding>& found, const DrawingFacts& facts) {
     if (facts.longest_link_mm < kLongLink * std::min(facts.page.width_mm, facts.page.height_mm)) return;
     if (facts.ink.as == DotsAs::listed || facts.dots < 100) return;
     tell(found, FindingKind::long_link,
-         fmt::format("the line goes {:.0f} mm straight over bare paper from one dot to another",
-                     facts.longest_link_mm),
-         "more dots, or less white in the lightest parts, lead it there in short steps");
+         fmt::format("The line will cross bare paper for {:.0f} mm", facts.longest_link_mm),
+         "Use more dots, or darken the lightest areas, for shorter steps");
 }
 
 void add_edges(std::vector<Finding>& found, const DrawingFacts& facts) {
@@ -237,11 +231,11 @@ void add_edges(std::vector<Finding>& found, const DrawingFacts& facts) {
     if (measured.over_edge > 0)
         tell(found, FindingKind::over_edge,
              dots_that(measured.over_edge, "reaches", "reach") + " over the page's edge",
-             fmt::format("a margin of {:.1f} mm or an automatic one keeps them on it", reach), reach);
+             fmt::format("Use automatic margins, or {:.1f} mm", reach), reach);
     if (facts.has_margins && measured.outside_margins > 0)
         tell(found, FindingKind::in_margins,
              dots_that(measured.outside_margins, "reaches", "reach") + " into the margins",
-             fmt::format("margins wider by {:.1f} mm keep them out", reach), reach);
+             fmt::format("Widen the margins by {:.1f} mm", reach), reach);
 }
 
 // How far a machine's pen reaches, the longer side first; nothing where machines of its kind differ. AxiDraws
@@ -259,10 +253,10 @@ void add_travel(std::vector<Finding>& found, const DrawingFacts& facts) {
     const double longest = std::max(facts.page.width_mm, facts.page.height_mm);
     if (facts.reach_mm > 0 && longest > facts.reach_mm)
         tell(found, FindingKind::too_large,
-             fmt::format("the page, {:.0f} x {:.0f} mm, is larger than the {:.0f} mm up to which pen "
-                         "plotters read HPGL's numbers",
-                         facts.page.width_mm, facts.page.height_mm, std::floor(facts.reach_mm)),
-             "a smaller page or several sheets fit");
+             fmt::format(
+                 "The page, {:.0f} x {:.0f} mm, is larger than the {:.0f} mm that HPGL plotters can read",
+                 facts.page.width_mm, facts.page.height_mm, std::floor(facts.reach_mm)),
+             "Use a smaller page or several sheets");
     if (!facts.machine) return;
     const auto travel = travel_of(*facts.machine);
     if (!travel) return;
@@ -272,9 +266,9 @@ void add_travel(std::vector<Finding>& found, const DrawingFacts& facts) {
         std::min(width, height) <= travel->shorter_mm + 0.5)
         return;
     tell(found, FindingKind::too_large,
-         fmt::format("the page, {:.0f} x {:.0f} mm, is larger than the {:.0f} x {:.0f} mm that {} reaches",
+         fmt::format("The page, {:.0f} x {:.0f} mm, is larger than the {:.0f} x {:.0f} mm that {} reaches",
                      width, height, travel->longer_mm, travel->shorter_mm, words_for(*facts.machine)),
-         "a smaller page or several sheets fit");
+         "Use a smaller page or several sheets");
 }
 
 void add_numbers(std::vector<Finding>& found, const DrawingFacts& facts) {
@@ -283,16 +277,16 @@ void add_numbers(std::vector<Finding>& found, const DrawingFacts& facts) {
         const std::uint64_t most = lines ? kMostSvgPathDots : kMostSvgElements;
         if (facts.dots > most)
             tell(found, FindingKind::too_many,
-                 fmt::format("rsvg-convert and the many programs that show an SVG as it does refuse {}",
+                 fmt::format("Many SVG programs, such as rsvg-convert, will refuse {}",
                              lines ? fmt::format("a line through more than about {} dots", grouped(most))
                                    : fmt::format("more than {} dots", grouped(most))),
-                 "they do read fewer dots, a region, sheets or a PDF",
+                 "Use fewer dots, a region, sheets or a PDF",
                  facts.whole_page ? static_cast<double>(most) : 0);
     }
     if (!facts.measured && facts.ink.as != DotsAs::listed)
         tell(found, FindingKind::not_looked,
-             "there are too many dots to check how near they are to each other and to the edges",
-             "a region of the page can be checked");
+             "There are too many dots to check how close they are to each other and to the edges",
+             "Export a region to have it checked");
 }
 
 void add_pixels(std::vector<Finding>& found, const DrawingFacts& facts) {
@@ -300,52 +294,51 @@ void add_pixels(std::vector<Finding>& found, const DrawingFacts& facts) {
     if (!(facts.dpi > 0) || !(width > 0) || width * facts.dpi >= kMmPerInch) return;
     const double dpi = std::ceil(2 * kMmPerInch / width / 10) * 10;
     tell(found, FindingKind::fine_pixels,
-         fmt::format("dots {} wide are finer than a pixel, and come out as greys",
+         fmt::format("Dots {} wide are finer than a pixel and will come out as greys",
                      millimetres_in_words(width)),
-         fmt::format("{:.0f} dots per inch or more show each", dpi), dpi);
+         fmt::format("Use {:.0f} pixels per inch or more", dpi), dpi);
 }
 
 void add_dwell(std::vector<Finding>& found, const DrawingFacts& facts) {
     const double rest = grbl_rest_s(facts.dwell_s);
     if (rest > 1.01 * facts.dwell_s)
         tell(found, FindingKind::dwell,
-             fmt::format("Grbl rests {:g} s where {:g} s are asked for, as it rounds up to {:g} s", rest,
+             fmt::format("Grbl will rest {:g} s instead of {:g} s, as it rounds up to {:g} s", rest,
                          facts.dwell_s, kGrblRestStepS),
-             fmt::format("with a dwell of {:g} s the file says what the machine does", rest), rest);
+             fmt::format("Set the dwell to {:g} s", rest), rest);
     if (facts.burst_s > 0)
         tell(found, FindingKind::dwell,
-             fmt::format("bursts of {:g} s are burned by M4 along {:g} mm, as no G4 is that short",
-                         facts.burst_s, kBurstMm),
-             "Grbl needs its laser mode for that, which $32=1 turns on");
+             fmt::format("Bursts of {:g} s will burn {:g} mm by M4, as no G4 is that short", facts.burst_s,
+                         kBurstMm),
+             "Turn on Grbl's laser mode ($32=1)");
 }
 
 void add_gcode(std::vector<Finding>& found, const DrawingFacts& facts) {
     const DrawingFacts::Gcode& gcode = facts.gcode;
     if (gcode.no_time)
         tell(found, FindingKind::no_time,
-             "at each dot the tool is turned there and back at once: a servo has no time to lower the pen, "
-             "and a laser none to burn",
-             "a rest between the two, such as G4 P{dwell} with a dwell above 0, gives it some");
+             "The tool will turn there and back at once: a servo has no time to lower the pen, nor a laser "
+             "to burn",
+             "Add a rest between the two, such as G4 P{dwell} with a dwell above 0");
     if (gcode.milliseconds)
         tell(found, FindingKind::milliseconds,
-             "M280 is Marlin's, which reads the number after G4 P as milliseconds, and {dwell} is in seconds",
-             "G4 S{dwell} rests as long as it says");
+             "M280 is Marlin's, which will read the number after G4 P as milliseconds; {dwell} is in seconds",
+             "Use G4 S{dwell}");
     if (gcode.lines_per_s > gcode.most_lines_per_s)
         tell(found, FindingKind::serial,
              fmt::format(
-                 "the machine wants {} lines of G-code a second, and a serial line of {} baud carries {}",
+                 "The machine will wait at dots: it needs {} lines of G-code a second, and {} baud carry {}",
                  about(gcode.lines_per_s), grouped(kSerialBaud), about(gcode.most_lines_per_s)),
-             "a lower --feed or a file on the machine's own card keeps it from waiting at each");
+             "Use a lower --feed, or run the file from the machine's card");
     for (const std::string& word : gcode.uncounted)
-        tell(found, FindingKind::uncounted,
-             fmt::format("the time does not count what {} of the template takes", word),
-             "G0, G1 and G4 are counted");
+        tell(found, FindingKind::uncounted, fmt::format("The time leaves out {} of the template", word),
+             "Use G0, G1 and G4, which are counted");
 }
 
 }  // namespace
 
 std::string sentence_of(const Finding& finding) {
-    return finding.text + "; " + finding.cure;
+    return finding.text + ". " + finding.cure;
 }
 
 std::vector<Finding> findings_of(const DrawingFacts& facts) {
@@ -364,14 +357,13 @@ std::vector<Finding> findings_of(const DrawingFacts& facts) {
     add_numbers(found, facts);
     add_pixels(found, facts);
     if (facts.has_tile_layer)
-        tell(found, FindingKind::tile_layer,
-             "the layer \"% Tiles\" has lines, which AxiDraw's software skips and other programs plot",
-             "hide that layer, or leave the tile boundaries out");
+        tell(found, FindingKind::tile_layer, "Programs other than AxiDraw's will plot the layer \"% Tiles\"",
+             "Hide that layer, or the tile boundaries");
     if (facts.has_background)
         tell(found, FindingKind::background,
-             "the layer \"% Background\" is a shape as large as the page, which AxiDraw's software skips and "
-             "other programs plot",
-             "hide that layer, or leave the background out");
+             "Programs other than AxiDraw's will plot the layer \"% Background\", a shape as large as the "
+             "page",
+             "Hide that layer, or leave out the background");
     add_dwell(found, facts);
     add_gcode(found, facts);
     return found;

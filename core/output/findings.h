@@ -143,13 +143,13 @@ constexpr auto names_of(FindingKind) {
 
 struct Finding {
     FindingKind kind{};
-    std::string text, cure;  // each without a full stop, beginning small; "dots" may begin it
+    std::string text, cure;  // each a sentence without its full stop
     double amount = 0;       // that the cure speaks of: dots, millimetres or dots per inch; 0: none
 
     bool operator==(const Finding&) const = default;
 };
 
-/// "40 % of the dots run into others; fewer dots part them"
+/// "40 % of the dots will overlap others. Use fewer dots"
 DAPPLE_API std::string sentence_of(const Finding& finding);
 
 /// From this many seconds on plotting is said to take long.

@@ -43,7 +43,7 @@ class InkReport {
     [[noreturn]] static void refuse(glm::dvec2 at, double radius_mm) {
         throw std::runtime_error(fmt::format(
             "a dot or a line would lie at {:g}, {:g} mm{}, far from its page, and is not written; this is a "
-            "fault of the program: please report it with the settings",
+            "fault of Dapple: please report it with the settings",
             at.x, at.y, radius_mm != 0 ? fmt::format(" with a radius of {:g} mm", radius_mm) : ""));
     }
 

@@ -260,8 +260,8 @@ std::string time_in_words(double seconds) {
 
 std::string_view what_takes_longest(const PlottingTime& time) {
     if (time.drawing_s > std::max({time.moving_s, time.dots_s, time.lifting_s})) return "mostly drawing";
-    if (time.lifting_s >= std::max(time.moving_s, time.dots_s)) return "mostly pen raising and lowering";
-    return time.moving_s >= time.dots_s ? "mostly moves between the dots" : "mostly resting at the dots";
+    if (time.lifting_s >= std::max(time.moving_s, time.dots_s)) return "mostly raising and lowering the pen";
+    return time.moving_s >= time.dots_s ? "mostly moving between dots" : "mostly resting at dots";
 }
 
 }  // namespace dapple

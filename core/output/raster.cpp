@@ -292,7 +292,7 @@ RasterSize raster_size(const PageSize& page, double dpi) {
     if (!(shrink >= 1)) {
         throw std::runtime_error(fmt::format(
             "the page would be {:.0f} x {:.0f} pixels, and the most is {:.0f} a side and {:.0f} gigapixels "
-            "in all; choose {:.4g} dots per inch or less, a smaller page or a part of it",
+            "in all; choose {:.4g} pixels per inch or less, a smaller page or a part of it",
             width, height, kLargestSide, kMostPixels * 1e-9, rounded_down(dpi * shrink)));
     }
     return {std::max(static_cast<int>(width), 1), std::max(static_cast<int>(height), 1)};

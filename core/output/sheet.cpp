@@ -199,7 +199,7 @@ Sheet parse_sheet(std::string_view text) {
 Sheet parse_sheets(std::string_view text) {
     const auto numbers = numbers_of<int, 2>(text, "x");
     if (!numbers) {
-        throw failure("'{}' are no sheets; write COLUMNSxROWS, for example 3x4", text);
+        throw failure("'{}' is not a number of sheets; write COLUMNSxROWS, for example 3x4", text);
     }
     const auto [columns, rows] = *numbers;
     if (columns < 1 || rows < 1 || columns > kMostSheetsAtOnce || rows > kMostSheetsAtOnce)
@@ -258,7 +258,7 @@ Rectangle<double> parse_region(std::string_view text) {
     }
     const auto [x, y, width, height] = *lengths;
     for (const double length : {x, y, x + width, y + height})
-        if (std::isinf(length)) throw failure("'{}': a region lies on the page, and none is so large", text);
+        if (std::isinf(length)) throw failure("'{}': no page is large enough for this region", text);
     // Written so that what is not a number is refused too.
     if (!(x >= 0) || !(y >= 0))
         throw failure("'{}': a region's corner is counted from the page's, from 0 up", text);

@@ -43,8 +43,8 @@ std::vector<std::string_view> parts_of(std::string_view text, char at) {
 double pen_length(std::string_view text, const char* what) {
     const std::optional<double> length = millimetres_of(text);
     if (!length || !(*length > 0) || *length > kWidestPenMm)
-        throw failure("{} is no pen's {}; give millimetres over 0 and at most {:g}, such as 0.3", text, what,
-                      kWidestPenMm);
+        throw failure("{} cannot be a pen's {}; give millimetres over 0 and at most {:g}, such as 0.3", text,
+                      what, kWidestPenMm);
     return *length;
 }
 
@@ -60,7 +60,7 @@ TipSize tip_size(std::string_view text) {
     const std::string_view behind = without_spaces(text.substr(plus + 1));
     const std::optional<double> gain = millimetres_of(behind);
     if (!gain || !(*gain >= 0) || *gain > kMostGainMm)
-        throw failure("{} is no dot gain; give 0 to {:g} millimetres behind the width, such as 0.3+0.05",
+        throw failure("{} cannot be a dot gain; give 0 to {:g} millimetres after the width, such as 0.3+0.05",
                       behind, kMostGainMm);
     size.gain_mm = *gain;
     return size;
@@ -77,8 +77,8 @@ double black_share(std::string_view text) {
 
 void check_name(std::string_view name) {
     if (!is_pen_name(name))
-        throw failure("\"{}\" is no pen's name; give up to 40 plain letters, digits, spaces and - _ . ( )",
-                      name);
+        throw failure(
+            "\"{}\" cannot be a pen's name; give up to 40 plain letters, digits, spaces and - _ . ( )", name);
 }
 
 // "Sky:#3aa0d8:0.3"
@@ -86,7 +86,7 @@ Pen parse_pen(std::string_view text) {
     const std::vector<std::string_view> parts = parts_of(text, ':');
     if (parts.size() < 2 || parts.size() > 4)
         throw failure(
-            "\"{}\" is no pen; give a name, a colour and, if wanted, a width, as in Sky:#3aa0d8:0.3, and a "
+            "\"{}\" is not a pen; give a name, a colour and optionally a width, as in Sky:#3aa0d8:0.3, and a "
             "smallest gap between its dots, as in Sky:#3aa0d8:0.3:0.6",
             text);
     check_name(parts[0]);
@@ -188,7 +188,7 @@ PenChoice parse_pens(std::string_view text) {
         words.pop_back();
     }
     const auto take_width = [&](std::size_t place) {
-        if (words.size() > place + 1) throw failure("{} says more than a set of pens and their width", text);
+        if (words.size() > place + 1) throw failure("{} has more than a set of pens and their width", text);
         if (words.size() > place) {
             const TipSize size = tip_size(words[place]);
             choice.width_mm = size.width_mm;
@@ -200,14 +200,14 @@ PenChoice parse_pens(std::string_view text) {
         if (words[0] != name_of(set)) continue;
         choice.set = set;
         if (set == PenSet::one && words.size() > 1)
-            throw std::runtime_error("one takes no width; the radius of dots says how large they are");
+            throw std::runtime_error("one takes no width; the dot radius sets their size");
         return take_width(1);
     }
     if (words[0] == name_of(PenSet::automatic)) {
         choice.set = PenSet::automatic;
         const std::optional<int> count = words.size() > 1 ? number_of<int>(words[1]) : choice.automatic;
         if (!count || *count < 1 || *count > int(kMostPens))
-            throw failure("{} is no number of pens; give 1 to {}, as in auto:4", words[1], kMostPens);
+            throw failure("{} is not a number of pens; give 1 to {}, as in auto:4", words[1], kMostPens);
         choice.automatic = *count;
         if (text.find('#') != std::string_view::npos) {
             text.remove_prefix(text.find(':', text.find(':') + 1) + 1);

@@ -110,7 +110,7 @@ std::optional<CountCut> find_end(const Density& density, std::uint64_t count, Pl
         const std::size_t before = placed->all - placed->tail;
         if (placed->all < count) {
             if (scale > kMaxScale) {
-                throw std::runtime_error("so many dots do not fit: the picture's dark part is too small");
+                throw std::runtime_error("this many dots do not fit: the picture's dark part is too small");
             }
             tail_scale = scale;
             scale *= step(static_cast<double>(count + 1) / static_cast<double>(placed->all + 1));

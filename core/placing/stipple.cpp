@@ -82,7 +82,7 @@ Figure8Result place(const Density& density, const Tile& tile, const std::vector<
                     std::size_t most_dots, const std::stop_token& stop) {
     if (tile.rule != Rule{} || tile.kinds() > 1 || tile.size() > 62) {
         throw std::runtime_error(
-            "the paper's placer (figure8) knows only tiles of one kind whose children are not turned; use "
+            "the paper's placer (figure8) takes only tiles of one kind whose children are not turned; use "
             "paper16 or another A,B/N tile, or the exact placer");
     }
     if (!(scale >= 0) || !std::isfinite(scale))

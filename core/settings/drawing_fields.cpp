@@ -67,7 +67,7 @@ static void describe(Fields& fields, PageSetup& page) {
     fields.group("crop", crop);
     fields.whole(setting::rotate, quarter_turns);
     fields.flag(setting::mirror, mirrored);
-    if (paper == Paper::custom && !height_mm) fields.refuse("height_mm", "has to be said for a custom page");
+    if (paper == Paper::custom && !height_mm) fields.refuse("height_mm", "is needed for a custom page");
 }
 
 void describe(Fields& fields, DrawingSettings& drawing) {

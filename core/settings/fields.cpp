@@ -262,7 +262,7 @@ fs::path Fields::file_in(FieldName name, const Json& value) const {
         if (!file_is_there(file)) continue;
         if (is_read_at_once(file)) return file;
         refuse(name,
-               fmt::format("is {}, which is no regular file; name one that is", printable(file.native())));
+               fmt::format("is {}, which is not a regular file; name one that is", printable(file.native())));
     }
     const std::string where =
         absolute.empty() || absolute == beside

@@ -76,72 +76,68 @@ constexpr Setting side_row(SettingNames names, const char* help) {
 
 // Tone.
 inline constexpr Setting automatic_tone{
-    .names = {"automatic_tone", "Automatic tone", "--tone"},
+    .names = {"automatic_tone", "Auto tone", "--tone"},
     .value = "auto|true",
     .help =
-        "auto: black, white and middle tones chosen so that the picture reads well. true: ink covers just "
-        "the light that the picture lacks",
+        "auto: sets black, white and middle tones for a clear picture. true: ink covers just as much as the "
+        "picture is dark",
     .more = ". --black-point, --white-point, --contrast, --brightness and --gamma switch it to true"};
-inline constexpr Setting tone_strength{
-    .names = {"tone_strength", "Automatic tone", "--tone-strength"},
-    .range = {0, 1},
-    .usual = kUsualToneStrength,
-    .help =
-        "How far automatic tone goes: 0 leaves the tone true, 1 brings out most of what is dark, and thins "
-        "what is light"};
+inline constexpr Setting tone_strength{.names = {"tone_strength", "Auto tone", "--tone-strength"},
+                                       .range = {0, 1},
+                                       .usual = kUsualToneStrength,
+                                       .help =
+                                           "Strength of automatic tone: 0 leaves the tone true; 1 brings out "
+                                           "the most in dark areas and thins light ones"};
 inline constexpr Setting automatic_exposure{.names = {"automatic_exposure", "Exposure"}};
-inline constexpr Setting exposure{
-    .names = {"exposure", "Exposure", "--exposure"},
-    .range = {-kMostStops, kMostStops},
-    .track = {-8, 8},
-    .format = "%+.1f EV",
-    .value = "auto|EV",
-    .help =
-        "Exposure in stops: 1 makes the whole picture twice as light, -1 half as light. HDR pictures begin "
-        "with the exposure that shows most of them",
-    .more = ": auto"};
+inline constexpr Setting exposure{.names = {"exposure", "Exposure", "--exposure"},
+                                  .range = {-kMostStops, kMostStops},
+                                  .track = {-8, 8},
+                                  .format = "%+.1f EV",
+                                  .value = "auto|EV",
+                                  .help =
+                                      "Exposure in stops: 1 doubles the light, -1 halves it. HDR pictures "
+                                      "start with the exposure that shows most of them",
+                                  .more = ": auto"};
 inline constexpr Setting black_point{.names = {"black_point", "Black point", "--black-point"},
                                      .range = {0, 1},
-                                     .help = "Grey up to this becomes as dark as dots can make it"};
+                                     .help = "Greys up to this become as dark as the dots allow"};
 inline constexpr Setting white_point{.names = {"white_point", "White point", "--white-point"},
                                      .range = {0, 1},
                                      .usual = 1,
-                                     .help = "Grey from this on is left to the bare paper"};
-inline constexpr Setting contrast{
-    .names = {"contrast", "Contrast", "--contrast"},
-    .range = {-1, 1},
-    .help = "Above 0 parts light from dark, below 0 brings them closer together"};
+                                     .help = "Greys from this on become bare paper"};
+inline constexpr Setting contrast{.names = {"contrast", "Contrast", "--contrast"},
+                                  .range = {-1, 1},
+                                  .help = "Above 0 increases the contrast; below 0 reduces it"};
 inline constexpr Setting brightness{.names = {"brightness", "Brightness", "--brightness"},
                                     .range = {-1, 1},
-                                    .help = "Makes all of the picture lighter, or darker below 0"};
+                                    .help = "Lightens the picture; below 0 darkens it"};
 inline constexpr Setting gamma{
     .names = {"gamma", "Gamma", "--gamma"},
     .range = {0.1, 10},
     .usual = 1,
     .track = {0.25, 4, true},
-    .help = "Makes the middle tones lighter, or darker below 1; black and white stay"};
+    .help = "Lightens the middle tones; below 1 darkens them. Black and white stay"};
 inline constexpr Setting blur{
     .names = {"blur", "Blur", "--blur"},
     .range = {0, 100},
     .track = {0, 20},
     .format = "%.1f",
-    .help = "Smooths grain and noise away, over this many thousandths of the picture's longer side"};
-inline constexpr Setting detail{
-    .names = {"detail", "Detail", "--detail"},
-    .range = {0, 1},
-    .usual = kAutoDetail,
-    .help = "Brings out what is faint and only a few dots wide, such as whiskers"};
+    .help = "Smooths grain and noise over this many thousandths of the picture's longer side"};
+inline constexpr Setting detail{.names = {"detail", "Detail", "--detail"},
+                                .range = {0, 1},
+                                .usual = kAutoDetail,
+                                .help = "Brings out faint detail a few dots wide, such as whiskers"};
 inline constexpr Setting black{
     .names = {"black", "Deepest black", "--black"},
     .range = {kLeastBlack, 1},
     .usual = 1,
     .value = "auto|0.5..1",
     .help =
-        "How solid black gets. At 1 dots cover the paper; with less they stand apart, and more of them are "
-        "left for the rest of the picture",
+        "How solid black becomes. At 1 dots cover the paper; below 1 they stay apart, which leaves more dots "
+        "for the rest of the picture",
     .more = ". auto: 0.9 for up to 5,000 dots, 1 from 100,000 on and with --tone true"};
 inline constexpr Setting invert{.names = {"invert", "Invert", "--invert"},
-                                .help = "Dots where the picture is light, for light ink on dark paper"};
+                                .help = "Draws the light parts, for light ink on dark paper"};
 
 // Dots.
 inline constexpr Setting tile{.names = {"tile", "Tile", "--tile"},
@@ -165,26 +161,25 @@ inline constexpr Setting scale{
     .track = {10, 100'000, true},
     .format = "%.0f",
     .value = "S",
-    .help = "How many dots black gets, on the same paper: four times as many at four times the value",
+    .help = "How many dots black gets on the same paper; four times the value gives four times as many",
     .more = ". Instead of --dots: a darker picture gets more dots, an all-black one about 16 S"};
-inline constexpr Setting relax{
-    .names = {"relax", "Settle", "--relax"},
-    .range = {0, kMostRelaxingSteps},
-    .usual = kFewestUsualSteps,
-    .track = {0, 20},
-    .format = "%.0f",
-    .value = "auto|N",
-    .help =
-        "In this many steps the dots move to where they lie evenly and show the picture best; more steps "
-        "take longer",
-    .more =
-        ". 0 to 100, or auto: 12 for up to 13,600 dots, 7 from 40,000 on, none for millions of them too "
-        "fine to see"};
+inline constexpr Setting relax{.names = {"relax", "Relax", "--relax"},
+                               .range = {0, kMostRelaxingSteps},
+                               .usual = kFewestUsualSteps,
+                               .track = {0, 20},
+                               .format = "%.0f",
+                               .value = "auto|N",
+                               .help =
+                                   "Moves the dots in this many steps until they are even and show the "
+                                   "picture best; more steps take longer",
+                               .more =
+                                   ". 0 to 100, or auto: 12 for up to 13,600 dots, 7 from 40,000 on, none "
+                                   "for millions of dots too fine to see"};
 inline constexpr Setting settle_for{
-    .names = {"settle_for", "Settle for", "--settle-for"},
+    .names = {"settle_for", "Relax for", "--settle-for"},
     .help =
-        "pictures: dots show tones and edges best. samples: sums over the dots come nearest to an integral "
-        "over the density; give it about 60 steps with --relax"};
+        "pictures: dots show tones and edges best. samples: sums over the dots estimate integrals over the "
+        "density best; use about 60 steps with --relax"};
 inline constexpr Setting sizing{.names = {"sizing", "Dot size"}};
 inline constexpr Setting radius{
     .names = {"radius_mm", "Radius", "--dot-radius"},
@@ -194,25 +189,25 @@ inline constexpr Setting radius{
     .format = "%.3f",
     .length = true,
     .value = "LENGTH",
-    .help = "From the middle of a dot to its edge",
+    .help = "From a dot's centre to its edge",
     .more =
-        ", on paper; 0.1..0.4: from the smallest, in light areas, to the largest, on black, and as many dots "
-        "as the tone then needs. Without it, one radius for all dots that gives the picture's tone"};
+        ", on paper; 0.1..0.4: from the smallest, in light areas, to the largest, on black, with as many "
+        "dots as the tone needs. Without it, all dots have the one radius that gives the picture's tone"};
 inline constexpr Setting smallest =
-    radius_row({"smallest_mm", "Smallest"}, "The radius of the dots where the picture is lightest");
+    radius_row({"smallest_mm", "Smallest"}, "Dot radius where the picture is lightest");
 inline constexpr Setting largest =
-    radius_row({"largest_mm", "Largest"}, "The radius of the dots where the picture is darkest");
-inline constexpr Setting contours{
-    .names = {"contours", "Contours", "--contours"},
-    .range = {0, 1},
-    .help =
-        "Draws the picture's contours as lines among the dots, as in pen and ink: the strongest at a low "
-        "value, more and more of them up to 1"};
+    radius_row({"largest_mm", "Largest"}, "Dot radius where the picture is darkest");
+inline constexpr Setting contours{.names = {"contours", "Contours", "--contours"},
+                                  .range = {0, 1},
+                                  .help =
+                                      "Draws the picture's contours as lines among the dots, as in pen and "
+                                      "ink: only the strongest at low values, the most at 1"};
 inline constexpr Setting solid{
     .names = {"solid", "Solid black", "--solid"},
     .range = {0.5, 1},
     .usual = 1,
-    .help = "Fills what is darker than that in place of dots: about 0.9 for what looks black, 1 for nothing"};
+    .help =
+        "Fills areas darker than this instead of drawing dots: about 0.9 fills what looks black, 1 nothing"};
 inline constexpr Setting style{.names = {"style", "Draw", "--style"}};
 inline constexpr Setting dot_shape{.names = {"dot_shape", "Dot shape", "--dot-shape"}};
 inline constexpr Setting pen_width{
@@ -221,57 +216,53 @@ inline constexpr Setting pen_width{
     .usual = 0.3,
     .track = {0.05, 3, true},
     .length = true,
-    .help = "How wide the pen's line is, for lines and for dots of any shape but circle",
+    .help = "Width of the pen's line, for lines and for every dot shape but circle",
     .more =
-        ". With a plotter's file and no --dot-shape each dot is a touch of that pen, or a spiral that "
+        ". In a file for plotters, without --dot-shape, each dot is a touch of this pen, or a spiral that "
         "fills it to --dot-radius"};
 inline constexpr Setting mask{.names = {"mask", "Mask", "--mask"}};
 
 // Page.
 inline constexpr Setting page_size{.names = {"paper", "Paper size", "--page"}};
-inline constexpr Setting orientation{.names = {"orientation", "Orientation", "--orientation"},
-                                     .help =
-                                         "Whether the page is portrait or landscape; auto: as the picture "
-                                         "is, or as a size of your own is given"};
+inline constexpr Setting orientation{
+    .names = {"orientation", "Orientation", "--orientation"},
+    .help = "Portrait or landscape; auto: as the picture is, or as a custom size is given"};
 inline constexpr Setting width =
     side_row({"width_mm", "Width", "--width"},
-             "Width of the page, margins and all; its height follows from the picture's shape, unless it is "
-             "given too");
+             "Page width, with margins; the height follows from the picture's shape, unless it is given too");
 inline constexpr Setting height =
     side_row({"height_mm", "Height", "--height"},
-             "Height of the page, margins and all; its width follows from the picture's shape, unless it is "
-             "given too");
+             "Page height, with margins; the width follows from the picture's shape, unless it is given too");
 inline constexpr Setting margin{.names = {"margins_mm", "Margin", "--margin"},
                                 .range = {0, kLongestSideMm},
                                 .track = {0, 100},
                                 .format = "%.3g",
                                 .length = true,
                                 .value = "auto|LENGTH",
-                                .help = "Bare paper on each side, in which no part of a dot lies",
+                                .help = "Bare paper on each side, free of dots",
                                 .more =
-                                    ": 15mm, or top,right,bottom,left as in 10,15,20,15; auto: as wide as "
-                                    "a dot's radius. 0 cuts the dots at the edges of a page of the "
-                                    "picture's shape"};
+                                    ": 15mm, or top,right,bottom,left as in 10,15,20,15; auto: one dot "
+                                    "radius. On a page of the picture's shape, 0 cuts the dots at its edges"};
 inline constexpr Setting fit{.names = {"fit", "Fit", "--fit"},
                              .help =
-                                 "inside: all of the picture, centred within the margins. fill: the middle "
-                                 "of the picture, cut so that it fills the page up to the margins"};
+                                 "inside: the whole picture, centred within the margins. fill: the middle of "
+                                 "the picture, cropped to fill the page up to the margins"};
 inline constexpr Setting rotate{.names = {"quarter_turns", "Rotate", "--rotate"},
                                 .range = {0, 3},
                                 .value = "0|90|180|270",
-                                .help = "Turns the picture clockwise",
+                                .help = "Rotates the picture clockwise",
                                 .more = ", after --crop"};
 inline constexpr Setting mirror{
     .names = {"mirrored", "Mirror", "--mirror"},
-    .help = "Left and right change places, for prints from the drawing: transfers, linocut"};
+    .help = "Swaps left and right, for prints from the drawing: transfers, linocut"};
 inline constexpr Setting overlap{.names = {"sheet_overlap_mm", "Overlap", "--overlap"},
                                  .range = {0, kWidestOverlapMm},
                                  .track = {0, 30},
                                  .format = "%.3g",
                                  .length = true,
                                  .help =
-                                     "How wide the strips are that neighbouring sheets share, to cut and to "
-                                     "glue in; SVG and PDF have marks where to cut"};
+                                     "Width of the strip that neighbouring sheets share, for cutting and "
+                                     "gluing; SVG and PDF have cut marks"};
 
 // Pens and colours.
 inline constexpr Setting pens{.names = {"pens", "Inks", "--pens"}};
@@ -279,63 +270,61 @@ inline constexpr Setting pen_order{.names = {"pen_order", "Pen order", "--pen-or
 inline constexpr Setting pen_ink{
     .names = {"pen_ink", "Pen ink", "--pen-ink"},
     .help =
-        "What is seen where dots of several pens overlap. transparent: both inks, as with fineliners and "
-        "ballpoints, on screen and in files too. opaque: the upper one, as with paint markers; always so if "
-        "one of the pens, such as white on brown paper, would hardly be seen otherwise"};
+        "How overlapping dots of several pens look, on screen and in files. transparent: both inks show, as "
+        "with fineliners and ballpoints. opaque: only the upper one, as with paint markers; always so if one "
+        "of the pens, such as white on brown paper, would hardly show otherwise"};
 inline constexpr Setting registration{.names = {"registration", "Registration", "--registration"},
                                       .help =
-                                          "Several pens: a cross in each corner of the page, drawn by every "
-                                          "pen, to align the pens by; separations have them too"};
+                                          "Several pens: every pen draws a cross in each corner of the page, "
+                                          "to align the pens; separations have them too"};
 inline constexpr Setting ink{.names = {"ink", "Ink", "--ink"},
-                             .help = "The dots' colour, on screen and in the file, where there is one pen"};
+                             .help = "The dots' colour, on screen and in files, with one pen"};
 inline constexpr Setting paper{.names = {"paper", "Paper", "--paper"},
-                               .help = "The page's colour; in an SVG or a PDF only where you ask for it"};
+                               .help = "The page's colour; in SVG and PDF only on request"};
 inline constexpr Setting background{
     .names = {"background", "Paper in files", "--background"},
-    .help = "SVG, PDF: paint the paper under the dots, as a PNG always has it; a plotter needs none"};
+    .help = "SVG, PDF: paints the paper under the dots, as PNG always does; a plotter needs none"};
 inline constexpr Setting show_tiles{
     .names = {"show_tiles", "Tile boundaries", "--tiles"},
     .help =
-        "Draws the square of each copy of the tile; an SVG has them as a layer. In the window a letter F "
-        "shows how each is turned, and its colour shows which kind it is"};
+        "Outlines each copy of the tile; SVG has the outlines as a layer. In the window the letter F shows "
+        "how a copy is turned, its colour which kind it is"};
 
 // Saving.
 inline constexpr Setting order{.names = {"order", "Dot order", "--order"}};
-inline constexpr Setting dpi{.names = {"dpi", "Dots per inch", "--dpi"},
+inline constexpr Setting dpi{.names = {"dpi", "Resolution (ppi)", "--dpi"},
                              .range = {1, 100'000},
                              .usual = 300,
                              .track = {50, 1200, true},
                              .format = "%.0f",
                              .value = "N",
-                             .help = "PNG, TIFF: pixels to the inch of the page"};
-inline constexpr Setting bits{.names = {"bits", "Bits", "--bits"},
-                              .value = "8|16",
-                              .help = "PNG, TIFF: bits for each channel of a pixel"};
-inline constexpr Setting separations{
-    .names = {"separations", "Separations", "--separations"},
-    .help =
-        "PNG, TIFF of several pens: a grey picture for each pen too, black where its ink is, for printers "
-        "who make a screen or a plate for each",
-    .more = ": cat-1-yellow.tif beside cat.tif"};
+                             .help = "PNG, TIFF: pixels per inch of the page"};
+inline constexpr Setting bits{
+    .names = {"bits", "Bits", "--bits"}, .value = "8|16", .help = "PNG, TIFF: bits per channel"};
+inline constexpr Setting separations{.names = {"separations", "Separations", "--separations"},
+                                     .help =
+                                         "PNG, TIFF of several pens: also a grey picture for each pen, black "
+                                         "where its ink is, for printers who make a screen or plate for each",
+                                     .more = ": cat-1-yellow.tif beside cat.tif"};
 inline constexpr Setting pen_files{.names = {"pen_files", "Pen files", "--pen-files"},
                                    .help =
-                                       "SVG, PDF, G-code, HPGL, DXF of several pens: a file for each pen in "
-                                       "place of one for all, so that no plot waits for a change of pens",
+                                       "SVG, PDF, G-code, HPGL, DXF of several pens: a file for each pen "
+                                       "instead of one for all, so that no plot waits for a pen change",
                                    .more = ": cat-1-yellow.gcode and so on for cat.gcode"};
 inline constexpr Setting gcode_tool{.names = {"gcode_tool", "G-code for", "--gcode"}};
 inline constexpr Setting gcode_template{.names = {"gcode_template", "Template"}};
 inline constexpr Setting machine{.names = {"machine", "Machine", "--machine"},
                                  .help =
-                                     "Used for the estimate of the plotting time, with its program's own "
+                                     "Used to estimate the plotting time, with its software's default "
                                      "settings; the file is the same for all",
-                                 .more = ". Without it, an AxiDraw V3, and a GRBL machine for G-code"};
+                                 .more = ". Without it: an AxiDraw V3, or a GRBL machine for G-code"};
 inline constexpr Setting feed{.names = {"feed_mm_per_min", "Feed, mm/min", "--feed"},
                               .range = {0.01, 1e6},
                               .usual = 3000,
                               .track = {100, 20'000, true},
                               .format = "%.0f",
                               .value = "MM/MIN",
-                              .help = "G-code: how fast the tool moves, in millimetres a minute"};
+                              .help = "G-code: the tool's speed, in millimetres per minute"};
 inline constexpr Setting dwell{
     .names = {"dwell_s", "Dwell, s", "--dwell"},
     .range = {0, 60},
@@ -354,22 +343,19 @@ inline constexpr Setting acceleration{
     .format = "%.0f",
     .value = "MM/S2",
     .help =
-        "G-code: how fast the machine gains speed, used for the estimate of the plotting time. Grbl comes "
-        "with 10, and most machines are set to 500 to 3000 ($120)"};
+        "G-code: the machine's acceleration, used to estimate the plotting time. Grbl's default is 10; most "
+        "machines are set to 500 to 3000 ($120)"};
 inline constexpr Setting pen_up{.names = {"gcode_pen_up", "Pen up", "--pen-up"},
                                 .range = {-10'000, 10'000},
                                 .value = "Z|S",
-                                .help =
-                                    "G-code: where the pen is off the paper, Z in millimetres or the S of a "
-                                    "servo",
+                                .help = "G-code: with the pen off the paper, Z in millimetres or a servo's S",
                                 .more = "; without it 2 or 20"};
-inline constexpr Setting pen_down{.names = {"gcode_pen_down", "Pen down", "--pen-down"},
-                                  .range = {-10'000, 10'000},
-                                  .value = "Z|S",
-                                  .help =
-                                      "G-code: where the pen is on the paper, Z in millimetres or the S of a "
-                                      "servo",
-                                  .more = "; without it 0 or 90"};
+inline constexpr Setting pen_down{
+    .names = {"gcode_pen_down", "Pen down", "--pen-down"},
+    .range = {-10'000, 10'000},
+    .value = "Z|S",
+    .help = "G-code: with the pen on the paper, Z in millimetres or a servo's S",
+    .more = "; without it 0 or 90"};
 inline constexpr Setting laser_power{
     .names = {"laser_power", "Laser power", "--laser-power"},
     .range = {0, 1e6},
@@ -377,7 +363,7 @@ inline constexpr Setting laser_power{
     .track = {0, 1000},
     .format = "%.0f",
     .value = "S",
-    .help = "G-code: the S of a laser's M3 or M4; Grbl comes with 1000 for full power ($30)"};
+    .help = "G-code: the S of a laser's M3 or M4; Grbl's default for full power is 1000 ($30)"};
 
 }  // namespace setting
 }  // namespace dapple

@@ -28,7 +28,7 @@ void check_known(const Json& given, const Json& known, const std::string& within
     for (const auto& [name, value] : given.items()) {
         const auto found = known.find(name);
         if (found == known.end())
-            throw failure("settings: {}{} is not known; the usual settings list all fields", within, name);
+            throw failure("settings: {}{} is not known; the default settings list all fields", within, name);
         if (value.is_object() && found->is_object()) check_known(value, *found, within + name + ".");
     }
 }

@@ -107,7 +107,8 @@ TextBuffer& TextBuffer::operator<<(char c) {
 TextBuffer& TextBuffer::fixed(double value, int decimals) {
     static constexpr std::array<double, 10> powers{
         1, 10, 100, 1'000, 10'000, 100'000, 1'000'000, 10'000'000, 100'000'000, 1'000'000'000};
-    if (!(std::abs(value) < 1e9)) throw std::range_error("a number is too large to be written, or is none");
+    if (!(std::abs(value) < 1e9))
+        throw std::range_error("a number is too large to be written, or not finite");
     // To the nearest, and from the middle away from zero.
     const double scaled = std::abs(value) * powers[static_cast<std::size_t>(decimals)];
     auto rest = static_cast<std::uint64_t>(scaled);

@@ -105,9 +105,10 @@ std::vector<Completion> completions(const CLI::App& program, const std::vector<s
 
 Command add_complete_command(CLI::App& program) {
     const auto words = std::make_shared<std::vector<std::string>>();
-    CLI::App* const command = program.add_subcommand("complete", "What may stand next on the command line");
+    CLI::App* const command =
+        program.add_subcommand("complete", "Lists what may come next on the command line");
     command->group("");
-    command->add_option("words", *words, "Behind --, the words so far")->type_name("WORDS");
+    command->add_option("words", *words, "After --, the words so far")->type_name("WORDS");
     command->callback([&words = *words, &program] {
         for (const Completion& each : completions(program, words))
             fmt::print("{}\t{}\n", each.word, each.about);

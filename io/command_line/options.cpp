@@ -48,8 +48,7 @@ DotSize dot_size_in(const std::string& text) {
     if (dots == std::string::npos) return {.sizing = DotSizing::fixed, .radius_mm = length_in(text, range)};
     const double smallest = length_in(text.substr(0, dots), range);
     const double largest = length_in(text.substr(dots + 2), range);
-    if (smallest > largest)
-        throw std::runtime_error(text + ": the smaller radius comes first, as in 0.1..0.4");
+    if (smallest > largest) throw std::runtime_error(text + ": put the smaller radius first, as in 0.1..0.4");
     return {.sizing = DotSizing::by_tone, .smallest_mm = smallest, .largest_mm = largest};
 }
 
@@ -162,9 +161,8 @@ CLI::Option* add_memory(CLI::App& app, std::optional<double>& bytes) {
         if (!bytes || !(*bytes > 0))
             throw std::runtime_error(text + " is not possible; give bytes, such as 12G");
     };
-    return add_text(
-        app, "--memory", "BYTES", read,
-        "Go on with what needs up to so much memory, such as 12G, rather than with what is available");
+    return add_text(app, "--memory", "BYTES", read,
+                    "Memory that may be used, such as 12G, instead of what is available");
 }
 
 CLI::Option* add_pens(CLI::App& app, PenChoice& pens, const std::string& help) {
@@ -227,8 +225,8 @@ void add_dot_options(CLI::App& app, DrawingSettings& settings) {
     add_text(app, setting::scale, read_scale);
 
     add_choice(app, "--placer", settings.placer,
-               "exact: every dot once; figure8: as printed in the article, which emits about a quarter of "
-               "the dots twice and makes about as many as --dots says");
+               "exact: every dot once; figure8: as printed in the article, with about a quarter of the dots "
+               "twice and about as many as --dots");
     add_tile(app, settings.tile);
 
     add_ranking(app, settings.ranking);
@@ -250,16 +248,16 @@ void add_dot_options(CLI::App& app, DrawingSettings& settings) {
 
 void add_style_options(CLI::App& app, DrawingSettings& settings) {
     const Heading heading(app, "Dots");
-    add_choice(
-        app, "--style", settings.style,
-        "dots: each by itself; line: one line through all dots, by a short route, which takes some seconds "
-        "to find, or in --order; nearest: lines from each dot to its nearest few, of which no two cross");
+    add_choice(app, "--style", settings.style,
+               "dots: each by itself; line: one line through all dots, by a short route that takes some "
+               "seconds to find, or in --order; nearest: a network of lines from each dot to its nearest "
+               "few, without crossings");
     add_text(
         app, "--dot-shape", "SHAPE|PATH",
         [&settings](const std::string& text) { settings.mark = parse_dot_mark(text); },
-        "What a dot is: circle, a filled one; point, the pen down and up; stroke, a short one; spiral or "
-        "hatch, filled by the pen's width; ring; cross; or an SVG path in a box from 0,0 to 1,1, as in 'M0,0 "
-        "L1,1', of M, L, H, V, C, Q, A and Z")
+        "A dot's shape: circle, filled; point, pen down and up; stroke, a short line; spiral or hatch, "
+        "filled by the pen; ring; cross; or an SVG path in a box from 0,0 to 1,1, as in 'M0,0 L1,1', of M, "
+        "L, H, V, C, Q, A and Z")
         ->default_str(text_of(settings.mark));
     add_length(app, setting::pen_width, settings.pen_width_mm);
     add_number(app, setting::contours, settings.contours);
@@ -303,7 +301,7 @@ void add_page_options(CLI::App& app, DrawingSettings& settings) {
     const Heading heading(app, "Page");
     PageSetup& page = settings.page;
     add_paper(app, page,
-              "A paper, a0 to a6, b0 to b6, letter, legal, tabloid, ansi-c to ansi-e, arch-a to arch-e, or a "
+              "A paper: a0 to a6, b0 to b6, letter, legal, tabloid, ansi-c to ansi-e, arch-a to arch-e, or a "
               "size such as 210x297 or 8.5x11in. Without it, the page has the picture's shape");
     add_choice(app, setting::orientation, page.orientation);
     add_length(app, setting::width, page.width_mm);
@@ -315,7 +313,8 @@ void add_page_options(CLI::App& app, DrawingSettings& settings) {
     add_choice(app, setting::fit, page.fit);
     add_text(
         app, "--crop", "X,Y,WxH", [&page](const std::string& text) { page.crop = parse_crop(text); },
-        "Only a part of the picture, in pixels as in 100,50,640x480, or in percent as in 10%,10%,50%x80%");
+        "Draws only a part of the picture, in pixels as in 100,50,640x480, or in percent as in "
+        "10%,10%,50%x80%");
     add_text(app, setting::rotate, [&page](const std::string& text) {
         const std::optional<int> degrees = number_of<int>(text);
         if (!degrees || *degrees < 0 || *degrees > 270 || *degrees % 90)
@@ -325,18 +324,16 @@ void add_page_options(CLI::App& app, DrawingSettings& settings) {
     add_flag(app, setting::mirror, page.mirrored);
     add_pens(app, settings.pens,
              "Several pens, whose colours mix to the picture's: greys, cmyk, auto:N for the N that suit the "
-             "picture, or auto:N:fineliners for the N of a palette that do, each with a width if wanted, as "
-             "in cmyk:0.3mm; or your own as name:#rrggbb:width,name:#rrggbb:width; or a file with such a pen "
-             "on each line, or with JSON; or a palette by its name, such as fineliners, or one that the "
-             "window saved. Dots of all pens keep apart, and overlap only where it is dark. With a width all "
-             "dots are that large, and larger by the dot gain if one is given behind it, as in 0.3+0.05; "
-             "dapple testsheet finds it out. cmyk may end in black=0 to black=1, as in cmyk:0.3:black=0.8, "
-             "which says how much of the greys is black ink")
+             "picture, or auto:N:fineliners for N from a palette, each with an optional width, as in "
+             "cmyk:0.3mm; or your own as name:#rrggbb:width,name:#rrggbb:width; or a file with one such pen "
+             "a line, or JSON; or a palette by its name, such as fineliners, or one saved by the window. The "
+             "dots of all pens keep apart, and overlap only in dark areas. With a width all dots are that "
+             "wide, plus the dot gain if given, as in 0.3+0.05; measure it with dapple testsheet. cmyk may "
+             "end in black=0 to black=1, as in cmyk:0.3:black=0.8: how much grey is drawn in black")
         ->default_str("one");
-    add_choice(
-        app, "--pen-order", settings.pens.order,
-        "Which of several pens draws first, and lies below the others: lightest, so that no tip drags a "
-        "darker ink along; darkest, for inks that cover darker ones; listed, in the order of --pens");
+    add_choice(app, "--pen-order", settings.pens.order,
+               "Which of several pens draws first, below the others: lightest, so that no tip picks up a "
+               "darker ink; darkest, for inks that cover darker ones; listed, in the order of --pens");
     add_choice(app, setting::pen_ink, settings.pens.ink);
     add_colour(app, setting::ink, settings.ink);
     add_colour(app, setting::paper, settings.paper);
@@ -345,26 +342,26 @@ void add_page_options(CLI::App& app, DrawingSettings& settings) {
 void add_arrangement_options(CLI::App& app, std::optional<DotOrder>& order, Sheet& sheet,
                              std::optional<Rectangle<double>>& region) {
     const Heading heading(app, "Page");
-    add_choice(app, "--order", order,
-               "Order of the dots in the file, which is the order they are plotted in: shortest, a short "
-               "route, which for a million dots takes some seconds to find; space, each near the one before, "
-               "found at once; recursion, as they are placed, relaxed ones row by row; priority, the first n "
-               "being nearly the drawing with n dots, if they are not relaxed. Without it, shortest for SVG, "
-               "G-code, HPGL and DXF of up to a million dots, space of up to 5 million, else recursion. "
-               "shortest, space, priority and --placer figure8 hold all dots in memory");
+    add_choice(
+        app, "--order", order,
+        "Order of the dots in the file and on the plotter: shortest, a short route, which for a million dots "
+        "takes some seconds to find; space, each dot near the one before, found at once; recursion, as "
+        "placed, relaxed ones row by row; priority, the first n nearly equal a drawing with n dots, unless "
+        "relaxed. Without it, shortest for SVG, G-code, HPGL and DXF of up to a million dots, space up to 5 "
+        "million, else recursion. shortest, space, priority and --placer figure8 hold all dots in memory");
     add_text(
         app, "--sheet", "C,R/CxR", [&sheet](const std::string& text) { sheet = parse_sheet(text); },
-        "One sheet of a mural: 2,1/3x4 is column 2, row 1 of 3 columns and 4 rows; the page and --dots are "
-        "those of the whole");
+        "Draws one sheet of a mural: 2,1/3x4 is column 2, row 1 of 3 columns and 4 rows; the page and --dots "
+        "are those of the whole");
     add_text(
         app, "--region", "X,Y,WxH|all",
         [&region](const std::string& text) {
             region.reset();
             if (text != "all") region = parse_region(text);
         },
-        "Only a part of the page: 20,15,100x80 is 100 mm wide and 80 high, 20 from the left and 15 from the "
-        "top; also 2cm,15,10cmx80, or 1,1,4x3in, all in inches. The page and --dots are those of the whole. "
-        "all: drops the region of the project, or of the settings drawn with");
+        "Draws only a part of the page: 20,15,100x80 is 100 mm wide and 80 high, 20 from the left and 15 "
+        "from the top; also 2cm,15,10cmx80, or 1,1,4x3in, all in inches. The page and --dots are those of "
+        "the whole. all: drops the region of the project or of --settings-from");
 }
 
 void refuse(const CLI::App& command, std::initializer_list<const char*> options, const std::string& why) {
@@ -394,16 +391,15 @@ void check_options(const CLI::App& command, DrawingSettings& settings, bool was_
     if (was_automatic != settings.automatic_tone && !given("--black")) settings.tone.black.reset();
     const bool by_tone = settings.dot_size.sizing == DotSizing::by_tone;
     for (const char* name : {"--dots", "--scale"})
-        refuse_if(
-            by_tone, name,
-            "cannot be given together with two radii: how many dots there are follows from their sizes");
+        refuse_if(by_tone, name,
+                  "cannot be given together with two radii, as the number of dots follows from their sizes");
     refuse_if(settings.tone.black && by_tone, "--black",
               "has no effect with two radii: such dots grow until black is solid; leave it out");
     refuse_if(settings.tone.black && settings.style != DrawingStyle::dots, "--black",
               "has no effect on lines; leave it out");
     const bool figure8 = settings.placer == PlacerKind::figure8;
     refuse_if(figure8 && settings.relax.value_or(0) > 0, "--relax",
-              "the figure8 placer's dots stay where they are placed; leave it out");
+              "does not apply to the figure8 placer, whose dots stay as placed; leave it out");
     refuse_if(given("--scale"), "--dots", "cannot be given together with --scale");
     // Both make a page of that size.
     PageSetup& page = settings.page;
@@ -423,7 +419,8 @@ void check_options(const CLI::App& command, DrawingSettings& settings, bool was_
     }
     if (settings.tone.black_point >= settings.tone.white_point)
         throw CLI::ValidationError("--black-point", "must be below --white-point");
-    refuse_if(figure8, "--ranking", "the figure8 placer has an order of its own; leave it out");
+    refuse_if(figure8, "--ranking",
+              "does not apply to the figure8 placer, which has its own order; leave it out");
 }
 
 }  // namespace dapple

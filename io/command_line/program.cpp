@@ -236,8 +236,8 @@ void write_manual(std::ostream& out, const CLI::App& program) {
     write_help(out, program, name);
     out << ".SH EXIT STATUS\n"
            ".TP\n0\nAll was done.\n"
-           ".TP\n1\nSomething could not be done, and a sentence on the standard error says what.\n"
-           ".TP\n2\nThe command line is wrong: nothing was begun.\n";
+           ".TP\n1\nSomething failed; the standard error has a sentence about it.\n"
+           ".TP\n2\nThe command line is wrong; nothing was done.\n";
 }
 
 constexpr int kFailed = 1;
@@ -260,18 +260,17 @@ int run(CLI::App& program, int argc, char** argv, const int& status, const bool&
         if (error.get_exit_code() == 0) return program.exit(error);  // --help, --version
         return report(program, error.what(), kUsage);
     } catch (const std::bad_alloc&) {
-        return report(program, "there is not enough memory for this; try fewer dots or a smaller picture",
-                      kFailed);
+        return report(program, "not enough memory for this; try fewer dots or a smaller picture", kFailed);
     } catch (const std::exception& error) {
         // TBB's words, and those of the standard library.
         const std::string_view what = error.what();
         const auto* const system = dynamic_cast<const std::system_error*>(&error);
         if (what.starts_with("pthread_create") ||
             (system && system->code() == std::errc::resource_unavailable_try_again))
-            return report(program,
-                          "the system starts no more threads for this; allow it more memory or threads "
-                          "(ulimit -v, ulimit -u)",
-                          kFailed);
+            return report(
+                program,
+                "the system allows no more threads; allow more memory or threads (ulimit -v, ulimit -u)",
+                kFailed);
         return report(program, what, parsed ? kFailed : kUsage);
     }
 }

@@ -351,7 +351,7 @@ class Process {
         throw DecodeError(
             "cannot be read: the system does not load its decoder; too little memory or too few open files "
             "may be allowed here, or a library is missing");
-    throw DecodeError("cannot be read: its decoder ended without a word (exit " +
+    throw DecodeError("cannot be read: its decoder ended without an answer (exit " +
                       std::to_string(WEXITSTATUS(status)) + ")");
 }
 

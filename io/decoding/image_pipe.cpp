@@ -29,7 +29,7 @@ struct Numbers {
 struct Ended {};
 
 [[noreturn]] void fail_nonsense(const std::string& what) {
-    throw DecodeError("its decoder says what cannot be: " + what);
+    throw DecodeError("its decoder sent something impossible: " + what);
 }
 
 class Reader {
@@ -119,9 +119,9 @@ class Reader {
 
 [[noreturn]] void fail(Reader& reader, char kind) {
     if (kind != kDamaged && kind != kTooManyPixels && kind != kSystem)
-        throw DecodeError("its decoder says nothing that can be understood");
+        throw DecodeError("its decoder sent nothing that can be understood");
     const std::string sentence = printable(reader.text());
-    if (sentence.empty()) fail_nonsense("an error without a word");
+    if (sentence.empty()) fail_nonsense("an error without a text");
     if (kind == kTooManyPixels) throw TooManyPixels(sentence);
     throw DecodeError(sentence);
 }

@@ -121,7 +121,7 @@ EnvironmentFile read_environment(const std::filesystem::path& path, LightBelowZe
         if (count == pixels)
             throw std::runtime_error("light is below 0 at every pixel; repair the map first");
         const std::string remark =
-            pixels == 1 ? "its one pixel is taken as even light from all around" : sink.header().remark;
+            pixels == 1 ? "its one pixel is used as even light from all around" : sink.header().remark;
         return {EnvironmentMap(std::move(sink.radiance)), !sink.header().scene_light, count, remark};
     } catch (const TooManyPixels& error) {
         throw std::runtime_error(printable(path.string()) + ": " + error.what() +

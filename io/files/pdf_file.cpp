@@ -216,8 +216,8 @@ void check_fits_pdf(const PageSize& page, std::uint64_t dots) {
     }
     if (dots > kMostPdfDots) {
         throw failure(
-            "a PDF is made in memory and has at most {} dots, and this one would have {}; choose "
-            "fewer, a part of the page or SVG",
+            "a PDF has at most {} dots, as it is made in memory, and this one would have {}; choose fewer, a "
+            "part of the page or SVG",
             grouped(kMostPdfDots), grouped(dots));
     }
 }

@@ -133,8 +133,7 @@ Picture read_picture(const std::filesystem::path& path, PictureLimit limit, Pict
     try {
         decode_file(path, {.over_paper = behind == PictureBehind::paper, .most_pixels = most}, sink, stop);
     } catch (const TooManyPixels& error) {
-        throw std::runtime_error(printable(path.string()) + ": " + error.what() +
-                                 "; --huge reads it all the same");
+        throw std::runtime_error(printable(path.string()) + ": " + error.what() + "; to read it, use --huge");
     } catch (const DecodeError& error) {
         throw std::runtime_error(printable(path.string()) + ": " + error.what());
     }

@@ -88,7 +88,7 @@ std::string text_of_file(const std::filesystem::path& file, const TextKind& kind
     if (::fstat(in.get(), &status) != 0) fail_to_read();
     if (S_ISDIR(status.st_mode)) fail("is a folder, not a file");
     if (!S_ISREG(status.st_mode) && !kind.may_wait)
-        fail(fmt::format("is no regular file, as a {} has to be", kind.what));
+        fail(fmt::format("is not a regular file, as a {} has to be", kind.what));
     if (!kind.beginning && S_ISREG(status.st_mode) &&
         static_cast<std::uintmax_t>(status.st_size) > kind.most_bytes)
         fail_by_size();

@@ -136,7 +136,7 @@ Stage stage_of(Pipeline& pipeline, const DrawingSettings& settings, const FilmCh
                                (choice.kind == FilmKind::plot && choice.order == DotOrder::priority);
     stage.plan = pipeline.plan(asked, kMostFilmDots);
     if (stage.plan.density->mean() == 0)
-        throw std::runtime_error("there is nothing to film: all of the picture is as light as the paper");
+        throw std::runtime_error("nothing to film: the whole picture is as light as the paper");
     stage.scale = pipeline.find_scale(stage.plan);
     const PageLayout layout = stage.plan.layout(stage.scale);
     stage.page = sheet_of(layout.page, {}, layout.picture.low);

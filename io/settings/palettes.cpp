@@ -36,7 +36,8 @@ std::string shown(const Json& value) {
 std::string text_in(const Json& object, const char* field, const char* example) {
     if (!object.contains(field)) throw wrong(field, fmt::format("is missing; give one, such as {}", example));
     if (!object[field].is_string())
-        throw wrong(field, fmt::format("{} is no text; give one, such as {}", shown(object[field]), example));
+        throw wrong(field,
+                    fmt::format("{} is not a text; give one, such as {}", shown(object[field]), example));
     return object[field].get<std::string>();
 }
 
@@ -62,9 +63,10 @@ Pen pen_of(const Json& object) {
                         "is not known; there are name, colour, width_mm, gap_mm and gain_mm");
     Pen pen{.name = text_in(object, "name", R"("Sky")")};
     if (!is_pen_name(pen.name))
-        throw wrong("name",
-                    fmt::format("{} is none; give up to 40 plain letters, digits, spaces and - _ . ( )",
-                                shown(object["name"])));
+        throw wrong(
+            "name",
+            fmt::format("{} is not possible; give up to 40 plain letters, digits, spaces and - _ . ( )",
+                        shown(object["name"])));
     const std::string colour = text_in(object, "colour", R"("#3aa0d8")");
     try {
         pen.colour = parse_colour(colour);
@@ -93,11 +95,11 @@ Palette pens_in(const std::string& text) {
         });
     } catch (const Json::parse_error& error) {
         throw failure(
-            "is no JSON from byte {} on; write an array of pens, as in "
+            "is not JSON from byte {} on; write an array of pens, as in "
             R"([{{"name": "Sky", "colour": "#3aa0d8", "width_mm": 0.3}}])",
             error.byte);
     } catch (const Json::exception&) {  // a number that is none of this world
-        throw std::runtime_error("is no JSON: a number in it is too large");
+        throw std::runtime_error("is not JSON: a number in it is too large");
     }
     if (!json.is_array())
         throw std::runtime_error(
@@ -214,8 +216,8 @@ NamedPalette palette_named(const std::string& name, const fs::path& folder) {
 void save_palette(const std::string& name, const Palette& pens, const fs::path& folder) {
     if (!names_a_palette(name))
         throw failure(
-            "\"{}\" is no name for a palette; give up to 40 plain letters, digits, spaces and - "
-            "_ . ( ), and not the name of a set, such as cmyk",
+            "\"{}\" cannot be a palette's name; give up to 40 plain letters, digits, spaces and - _ . ( ), "
+            "but not the name of a set, such as cmyk",
             printable(name));
     palette_files(folder).save(name, pens_text(own_pens(pens).own));
 }

@@ -58,7 +58,7 @@ std::vector<Preset> made_presets() {
     const PageSetup a4 = upright_page(Paper::a4, 15), a2 = upright_page(Paper::a2, 30);
     const SavingChoice for_pen{.order = DotOrder::shortest};
     return {
-        {"fine-pen", "many small dots on A4, in a short way for a pen", {drawing_of(60'000, a4), for_pen}},
+        {"fine-pen", "many small dots on A4, by a short route for a pen", {drawing_of(60'000, a4), for_pen}},
         {"quick-pen", "few dots on A4, plotted in a few minutes", {drawing_of(5'000, a4), for_pen}},
         {"bold-print",
          "few large dots on A4, for prints seen from afar",
@@ -80,7 +80,7 @@ std::vector<Preset> made_presets() {
         {"field-guide",
          "contours and fine dots on A4, nothing solid",
          {inked(0.5, 1, drawing_of(20'000, a4)), {}}},
-        {"poster", "a great many dots on A2", {drawing_of(400'000, a2), {.dpi = 600}}},
+        {"poster", "very many dots on A2", {drawing_of(400'000, a2), {.dpi = 600}}},
     };
 }
 

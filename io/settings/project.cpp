@@ -59,12 +59,11 @@ fs::path NamedFiles::find(const std::string& name) const {
 void NamedFiles::save(const std::string& name, const std::string& text) const {
     if (!names_a_file(name))
         throw failure(
-            "\"{}\" is no name for a {}; give one of 1 to {} letters that has no / and does not begin with a "
-            "point",
+            "\"{}\" cannot be a {}'s name; give 1 to {} letters without /, not beginning with a point",
             printable(name), what, kLongestName);
     if (std::ranges::count(built_in, name) > 0)
-        throw failure("the {} {} comes with the program and stays; give another name", what, name);
-    if (folder.empty()) throw failure("there is no home folder to keep {}s in; set HOME to one", what);
+        throw failure("the {} {} is built in and cannot be changed; give another name", what, name);
+    if (folder.empty()) throw failure("there is no home folder for {}s; set HOME to one", what);
     make_folder(folder);
     save_atomically(path_of(name), [&](std::ostream& out) { out << text; });
 }
@@ -74,7 +73,7 @@ void NamedFiles::remove(const std::string& name) const {
     const bool could = !folder.empty() && names_a_file(name);
     if (!could || !fs::remove(path_of(name), error))
         throw failure("the {} {} cannot be removed, {}", what, printable(name),
-                      error ? error.message() : "there is none of that name");
+                      error ? error.message() : "as there is none of that name");
 }
 
 namespace {
@@ -167,9 +166,8 @@ SavedSettings settings_from(const fs::path& file) {
     }
     const std::optional<std::string> inside = settings_in_drawing(file);
     if (!inside)
-        throw std::runtime_error(
-            printable(file.native()) +
-            ": has no Dapple settings in it; choose a project or a drawing that Dapple made");
+        throw std::runtime_error(printable(file.native()) +
+                                 ": has no Dapple settings; choose a project or a drawing made with Dapple");
     read_settings(*inside, {file}, describe_it);
     return settings;
 }

@@ -90,10 +90,10 @@ ReportFormat report_format(const fs::path& path) {
 // Projects, and drawings that do not keep their dots as such.
 void check_has_dots(const fs::path& path) {
     if (ends_as_project(path))
-        throw std::runtime_error(fmt::format(
-            "{0}: a project is neither points nor a picture; draw it by dapple render {0} -o {1}, and "
-            "analyse that",
-            path.string(), fs::path(path).replace_extension(".svg").string()));
+        throw std::runtime_error(
+            fmt::format("{0}: a project is neither points nor a picture; draw it with dapple render {0} -o "
+                        "{1} and analyse that",
+                        path.string(), fs::path(path).replace_extension(".svg").string()));
     const std::string ending = ending_of(path);
     if (ending.empty()) return;
     for (const DrawingFormatName& format : kDrawingFormats) {
@@ -165,7 +165,7 @@ void check_that_fit(const CLI::App& command, const AnalyseOptions& options) {
     const std::initializer_list<const char*> tone{
         "--exposure", "--tone", "--black-point", "--white-point", "--contrast", "--brightness",
         "--gamma",    "--blur", "--detail",      "--black",       "--invert"};
-    if (!options.input) refuse(command, tone, "is for pictures; a constant grey has its --density");
+    if (!options.input) refuse(command, tone, "applies to pictures only; use --density for a constant grey");
     if (options.input)
         refuse(command, {"--method"}, "is for a constant grey; dapple-lab compare draws pictures with it");
     if (!options.method) refuse(command, {"--seed"}, "is for a --method");
@@ -175,11 +175,11 @@ void check_that_fit(const CLI::App& command, const AnalyseOptions& options) {
     if (options.input && has_points(*options.input)) {
         refuse(command, tone, "is for pictures, and points have none");
         if (is_drawing(*options.input))
-            refuse(command, {"--width", "--height"}, "is known from the drawing itself; leave it out");
+            refuse(command, {"--width", "--height"}, "follows from the drawing itself; leave it out");
         refuse(
             command,
             {"--density", "--dots", "--scale", "--tile", "--ranking", "--placer", "--dot-radius", "--relax"},
-            "says how to place dots, and these are placed already; leave it out");
+            "does not apply to dots that are placed already; leave it out");
         refuse(command, {"--huge"}, "is for pictures");
         if (is_drawing(*options.input)) refuse(command, {"--period"}, "is for tables");
         if (options.width.has_value() != options.height.has_value())
@@ -209,7 +209,7 @@ void analyse(const AnalyseOptions& options) {
     }
     const Subject subject = subject_of(options);
     if (subject.points.empty()) {
-        throw std::runtime_error(subject.name + ": no dots come out; give a higher --scale");
+        throw std::runtime_error(subject.name + ": no dots at this scale; give a higher --scale");
     }
     const auto report =
         analyse(subject.points, subject.domain, {.name = subject.name, .period = subject.period});
@@ -247,15 +247,15 @@ AnalyseCommand::AnalyseCommand(CLI::App& program) {
         "torus: opposite edges meet; window: nothing is known beyond them. Without it, torus for a constant "
         "grey without --relax, otherwise window. A constant grey is relaxed only if --relax is given");
     const NumberRange length{.least = 0, .most = 1e9, .at_least = NumberRange::Least::excluded};
-    add_number(*command, "--width", options_.width, length, "LENGTH",
-               "How wide the area of the points is, from (0, 0), in their unit; without it, as the page that "
-               "a table by dapple render names, or as the points reach. For a picture, the page's width in "
-               "mm, 200 without it");
-    add_number(*command, "--height", options_.height, length, "LENGTH", "How high the area of the points is");
+    add_number(
+        *command, "--width", options_.width, length, "LENGTH",
+        "Width of the points' area, from (0, 0), in their unit; without it, that of the page in a table by "
+        "dapple render, or of the points. For a picture, the page's width in mm, 200 without it");
+    add_number(*command, "--height", options_.height, length, "LENGTH", "Height of the points' area");
     add_number(*command, "--period", options_.period, length, "LENGTH",
-               "Look whether the points repeat at multiples of this length");
+               "Tests whether the points repeat at multiples of this length");
     command->add_flag_callback(
-        "--huge", [this] { options_.limit = PictureLimit::huge; }, "Read pictures over 400 megapixels too");
+        "--huge", [this] { options_.limit = PictureLimit::huge; }, "Also reads pictures over 400 megapixels");
     add_memory(*command, options_.memory);
     add_dot_options(*command, options_.drawing);
     add_tone_options(*command, options_.drawing);

@@ -159,8 +159,8 @@ void compare(const CompareOptions& options) {
 }
 
 CompareCommand::CompareCommand(CLI::App& program) {
-    CLI::App* const command = program.add_subcommand(
-        "compare", "Measure this program's dots beside those of the methods that came before it");
+    CLI::App* const command =
+        program.add_subcommand("compare", "Measure Dapple's dots and those of earlier methods");
     command
         ->add_option("pictures", options_.pictures, "Pictures to draw; without any, the built-in still life")
         ->type_name("IMAGE");
@@ -197,11 +197,11 @@ CompareCommand::CompareCommand(CLI::App& program) {
               "1,000, it is not measured")
         ->default_str("10000000");
     add_number(*command, "--seconds", options_.seconds, {.least = 0.01, .most = 1e6}, "S",
-               "How many seconds of one processor a method may take for one drawing; the tables have a dash "
+               "Seconds of one processor that a method may take for one drawing; the tables have a dash "
                "where it would take longer");
     add_seed(*command, options_.seed, "For the methods that draw random numbers");
-    command->add_option("--json", options_.json, "Save all numbers for programs")->type_name("FILE");
-    command->add_option("--page", options_.page, "Save a page to look at, with plots, spectra and drawings")
+    command->add_option("--json", options_.json, "Saves all numbers for programs")->type_name("FILE");
+    command->add_option("--page", options_.page, "Saves a page with plots, spectra and drawings")
         ->type_name("FILE");
     command->footer(
         in_lines("Methods: " + contender_names() + ".") +

@@ -184,11 +184,12 @@ void check_tile(std::ostream& out, const std::string& name, CheckFormat format, 
 }
 
 LabTileCommand::LabTileCommand(CLI::App& program) {
-    CLI::App* const tile = program.add_subcommand("tile", "Tiles: rules, search, rank, check");
+    CLI::App* const tile =
+        program.add_subcommand("tile", "List rules, search for tiles, rank and check them");
     tile->require_subcommand(1);
     tile->footer(
         "TILE is a built-in tile's name, a tile file, or the paper's two integers.\n"
-        "dapple-lab tile COMMAND --help says more.\n\n"
+        "For more, see dapple-lab tile COMMAND --help.\n\n"
         "Examples:\n"
         "  dapple-lab tile search --points 20                 the best tiles of 20 points\n"
         "  dapple-lab tile search --points 256 --rule any --seconds 60 -o mine.tile\n"
@@ -231,7 +232,7 @@ void LabTileCommand::add_rank(CLI::App& parent) {
 }
 
 void LabTileCommand::add_check(CLI::App& parent) {
-    CLI::App* const command = parent.add_subcommand("check", "Tell how good a tile is");
+    CLI::App* const command = parent.add_subcommand("check", "Show how good a tile is");
     add_tile_name(*command, name_);
     command->add_flag_callback(
         "--json", [this] { format_ = CheckFormat::json; }, "As JSON, for programs");
@@ -242,7 +243,7 @@ void LabTileCommand::add_check(CLI::App& parent) {
 }
 
 void LabTileCommand::add_search(CLI::App& parent) {
-    CLI::App* const command = parent.add_subcommand("search", "Look for new tiles");
+    CLI::App* const command = parent.add_subcommand("search", "Search for new tiles");
     add_search_options(*command, search_);
     command->callback([this, command] {
         check_search_options(*command, search_);

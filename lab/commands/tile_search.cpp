@@ -27,8 +27,8 @@ void add_search_options(CLI::App& command, TileSearchOptions& options) {
                      "Points of the tile, a multiple of 4; up to 60 for identity")
         ->default_str("");
     add_whole_number(command, "--kinds", options.kinds, {.least = 1, .most = static_cast<int>(kMaxKinds)},
-                     "Look for a tile of this many kinds, each with --points points and none turned: they "
-                     "fit each other without seams, and a picture repeats less the more there are");
+                     "Searches for a tile of this many kinds, each with --points points and none turned: "
+                     "they are compatible without seams, and more kinds repeat less");
     const auto read_rule = [&options](const std::string& text) {
         options.rule.reset();
         options.kind = text == "identity" ? SearchKind::identity : SearchKind::any;
@@ -69,8 +69,8 @@ void add_search_options(CLI::App& command, TileSearchOptions& options) {
                "identity: stop after this many seconds, to go on later; any and kinds: search for this many. "
                "Which tile is found then depends on the machine's speed; with --moves it is the same on all");
     add_count(command, "--moves", options.moves, 1'000'000'000'000'000,
-              fmt::format("any and kinds: how many moves to try; any tries that many in each run, half of "
-                          "them to choose the rule. Without it, {} a point",
+              fmt::format("any and kinds: moves to try; any tries this many in each run, half of them to "
+                          "choose the rule. Without it, {} a point",
                           kMovesPerPoint));
     add_whole_number(command, "--runs", options.runs, {.least = 0, .most = 10'000},
                      "any: how many independent runs, of which the best is kept; 0 for one on each core");

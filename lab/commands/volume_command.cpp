@@ -98,7 +98,7 @@ std::vector<glm::dvec3> thinned(const std::filesystem::path& file, std::uint64_t
 
 VolumeCommand::VolumeCommand(CLI::App& program) {
     CLI::App* const command = program.add_subcommand(
-        "volume", "Even dots in space: of a density, or of a point cloud made thinner");
+        "volume", "Place even dots in space, by a density or by thinning a point cloud");
     command
         ->add_option(
             "density", inputs_,
@@ -110,16 +110,15 @@ VolumeCommand::VolumeCommand(CLI::App& program) {
         ->type_name("OUT")
         ->required();
     add_count(*command, "-n,--dots", dots_, kMostVolumeDots,
-              "Exactly so many: 10000, 10,000 or 10k. Of a point cloud so many of its own points")
+              "Exactly this many: 10000, 10,000 or 10k. Of a point cloud, this many of its own points")
         ->default_str("10000");
     add_whole_number(*command, "--relax", relax_, {.least = 0, .most = 100},
-                     "In this many steps the dots move to where they lie evenly");
+                     "Moves the dots in this many steps until they are even");
     command->add_flag("--invert", invert_, "Dark is dense");
     command
         ->add_option(
             "--film", film_,
-            "Shows them turning round once, too: a name that ends in .webp, or a folder for numbered "
-            "PNG files")
+            "Also films them turning round once: a name ending in .webp, or a folder for numbered PNG files")
         ->type_name("FILM");
     command->footer(
         "Dots of a density lie in voxels times the file's spacings, the first voxel from 0 to 1, or where "

@@ -78,7 +78,7 @@ TEST_CASE("a Ctrl+C that ends a command says that files are as before, and anoth
         CHECK(status == 128 + signal);
         CHECK(text_of(folder / "a.txt") == "old");
         CHECK(text_of(folder / "errors") ==
-              (signal == SIGINT ? "dapple: stopped; files that were not finished are as before\n" : ""));
+              (signal == SIGINT ? "dapple: stopped; unfinished files are as before\n" : ""));
     }
 }
 

@@ -249,11 +249,11 @@ TEST_CASE("each dialog, the list of presets and the player look as they did") {
         REQUIRE(viewer.shows([&] { return viewer.has("Picture of poster"); }));
         viewer.move(30 * scale, 300 * scale);
         compare_rested(viewer, look, "presets", [&](const json& widgets) {
-            return Rectangle<int>{box_of(widgets.at("as set below")).low - 4 * scale,
+            return Rectangle<int>{box_of(widgets.at("Custom")).low - 4 * scale,
                                   box_of(widgets.at("Save these settings as...")).high + 4 * scale};
         });
         viewer.key("Escape");
-        REQUIRE(viewer.shows([&] { return !viewer.has("as set below"); }));
+        REQUIRE(viewer.shows([&] { return !viewer.has("Custom"); }));
 
         viewer.key("space");
         REQUIRE(viewer.shows([&] { return viewer.has("Moment"); }));
@@ -277,7 +277,7 @@ TEST_CASE("the view of an environment map looks as it did") {
                        [](const json&) {
                            return Rectangle<int>{{0, 0}, {1280, 800}};
                        },
-                       {"Placing", "Sharing out the light"});
+                       {"Placing", "Sharing the light"});
     }
 }
 

@@ -169,7 +169,7 @@ TEST_CASE(
         viewer.click("Open...");
         REQUIRE(viewer.shows([&] { return viewer.has("ramp.pgm"); }));
         place_anew(viewer, "opened", [&] { viewer.click("ramp.pgm"); });
-        place_anew(viewer, "tone", [&] {
+        place_anew(viewer, "from tone", [&] {
             viewer.point_at("Brightness", 0.5);
             viewer.press();
             viewer.point_at("Brightness", 0.3);

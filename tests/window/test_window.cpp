@@ -74,7 +74,7 @@ TEST_CASE("dragging the scale slider with the mouse changes the number of dots, 
     CHECK(viewer.dots() == 40'000);
     REQUIRE(viewer.is_relaxed());
     const int placings = viewer.status()["placings"];
-    viewer.click("tone");
+    viewer.click("from tone");
     REQUIRE(
         viewer.shows([&] { return viewer.has("Dots in black") && viewer.status()["placings"] > placings; }));
     REQUIRE(viewer.is_relaxed());
@@ -107,7 +107,7 @@ TEST_CASE("a project opens in the window and is saved again from there, with wha
     RunningViewer viewer(folder.path(), {"small.dapple"});
     CHECK(viewer.dots() == 500);
     run({"xdotool", "search", "--name", "^small.dapple - Dapple$"});
-    viewer.click("tone");
+    viewer.click("from tone");
     REQUIRE(viewer.shows([&] { return viewer.has("Dots in black"); }));
     viewer.key("ctrl+shift+s");
     REQUIRE(viewer.shows([&] { return viewer.has("Path"); }));
@@ -651,7 +651,7 @@ TEST_CASE(
     ::setenv("PATH", path.c_str(), 1);
     viewer.click("Find the picture");
     CHECK(viewer.shows([&] {
-        return viewer.has("zenity could not show its dialog; choose dapple's own in the preferences");
+        return viewer.has("zenity could not show its dialog; choose Dapple's dialog in the preferences");
     }));
     CHECK(viewer.has("Find the picture"));
     CHECK(viewer.quit() == 0);
@@ -701,8 +701,7 @@ TEST_CASE(
     CHECK(viewer.shows([&] { return viewer.status()["zoom"] == zoom && !viewer.has("1:1"); }));
     open_menu();
     viewer.click("Copy picture");
-    REQUIRE(viewer.shows(
-        [&] { return viewer.has("Copied the drawing; paste it where you like") && !viewer.has("1:1"); }));
+    REQUIRE(viewer.shows([&] { return viewer.has("Drawing copied") && !viewer.has("1:1"); }));
     run({"sh", "-c",
          "xclip -selection clipboard -o -t image/png >'" + (folder / "copied.png").string() + "'"});
     run({dapple_program(), "render", (folder / "start.dapple").string(), "-o",

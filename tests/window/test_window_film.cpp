@@ -53,7 +53,7 @@ TEST_CASE(
     RunningViewer viewer;
     REQUIRE(viewer.is_relaxed());
     const double zoom = viewer.status()["zoom"];
-    viewer.click("Watch it being plotted");
+    viewer.click("Watch the plot");
     REQUIRE(viewer.shows([&] { return film_is(viewer, "plot"); }));
     // Its way is found first.
     REQUIRE(viewer.shows([&] {

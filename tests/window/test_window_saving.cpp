@@ -66,13 +66,13 @@ TEST_CASE("a window that is still saving asks before it goes, and goes once the 
     };
     save();
     viewer.key("ctrl+q");
-    REQUIRE(viewer.shows([&] { return viewer.has("Quit without it"); }));
+    REQUIRE(viewer.shows([&] { return viewer.has("Quit now"); }));
     viewer.key("Escape");
-    REQUIRE(viewer.shows([&] { return !viewer.has("Quit without it"); }));
+    REQUIRE(viewer.shows([&] { return !viewer.has("Quit now"); }));
     CHECK(viewer.has("Cancel saving"));
     viewer.key("ctrl+q");
-    viewer.click("Quit once it is saved");
-    REQUIRE(viewer.shows([&] { return !viewer.has("Quit without it"); }));
+    viewer.click("Quit when saved");
+    REQUIRE(viewer.shows([&] { return !viewer.has("Quit now"); }));
     CHECK_FALSE(viewer.has_ended());
     const std::string drawing = text_of(folder / "grey.svg");  // to its end
     CHECK(drawing.ends_with("</svg>\n"));
@@ -143,7 +143,7 @@ TEST_CASE("a drawing that was not saved when the program was killed comes back, 
     {
         RunningViewer viewer({}, {}, memory);
         CHECK(viewer.dots() == 40'000);
-        viewer.click("Bring it back");
+        viewer.click("Restore");
         CHECK(viewer.shows([&] { return viewer.dots() == dots; }));
         CHECK(viewer.is_titled("^[*]grey.pgm - Dapple$"));
         CHECK(kept() == 1);

@@ -187,7 +187,7 @@ std::string words_of_exception() {
     try {
         throw;
     } catch (const std::bad_alloc&) {
-        return "There is not enough memory for this.";
+        return "Not enough memory for this.";
     } catch (const std::exception& error) {
         return error.what();
     }

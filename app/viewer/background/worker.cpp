@@ -134,7 +134,7 @@ void Worker::fail_opening() {
         events_.push_back(TaskFailed{message, opening_->file});
     if (looked_)
         whole_missing_ =
-            opening_->name + ": only a preview of it was read, which cannot be saved; open the picture again";
+            opening_->name + ": only a preview was read, which cannot be saved; open the picture again";
 }
 
 void Worker::begin_opening() {

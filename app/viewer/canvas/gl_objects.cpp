@@ -64,7 +64,7 @@ void GlStreamBuffer::write(std::size_t bytes, const std::function<void(std::byte
     if (bytes == 0) return;
     void* place = glMapBufferRange(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(bytes),
                                    GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT);
-    if (!place) throw std::runtime_error("The graphics memory is too small for so many dots.");
+    if (!place) throw std::runtime_error("The graphics memory is too small for this many dots.");
     fill(static_cast<std::byte*>(place));
     glUnmapBuffer(GL_ARRAY_BUFFER);
 }

@@ -138,10 +138,9 @@ ImVec2 card_corner(const Box& square, ImVec2 card, const CanvasPlace& place, flo
 
 /// What the eye sees in the lens.
 const char* folding_in_words(double repetition) {
-    if (repetition >= 0.5)
-        return "Each square has its dots where the others have theirs: few crisp dots are left.";
-    if (repetition >= 0.2) return "Part of the dots lie where other squares have theirs.";
-    return "No square is like another, so their dots fill an even grey.";
+    if (repetition >= 0.5) return "All squares have their dots in the same places: few crisp dots remain.";
+    if (repetition >= 0.2) return "Some dots lie in the same places in several squares.";
+    return "No two squares are alike: their dots fill an even grey.";
 }
 
 struct Words {
@@ -150,7 +149,7 @@ struct Words {
 
 Words words_for(const LoupeSquare& square, double repetition, double mm_per_page_unit) {
     const double mm = square.period() * mm_per_page_unit;
-    return {fmt::format("{} squares of {:.3g} mm as one", square.across * square.across, mm),
+    return {fmt::format("{} squares of {:.3g} mm overlaid", square.across * square.across, mm),
             fmt::format("Repetition {:.2f}: {}", std::clamp(repetition, 0.0, 1.0),
                         repetition_in_words(repetition)),
             folding_in_words(repetition)};

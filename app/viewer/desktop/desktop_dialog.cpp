@@ -67,7 +67,7 @@ std::optional<fs::path> ask_desktop(const OpenQuestion& question, const std::sto
     if (answer->status == kCancelled || (answer->status == 0 && path.empty())) return std::nullopt;
     if (answer->status != 0 || !fs::path(path).is_absolute())
         throw std::runtime_error(words[0] +
-                                 " could not show its dialog; choose dapple's own in the preferences");
+                                 " could not show its dialog; choose Dapple's dialog in the preferences");
     return path;
 }
 

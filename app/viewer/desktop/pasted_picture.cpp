@@ -101,8 +101,8 @@ ClipboardProgram clipboard_program() {
         return {{"xclip", "-selection", "clipboard", "-o", "-t", "TARGETS"},
                 {"xclip", "-selection", "clipboard", "-o", "-t"}};
     throw std::runtime_error(
-        "The clipboard names no file, and pasting a picture needs xclip, or wl-paste on Wayland: install "
-        "that, or save the picture to a file and open it");
+        "Pasting a picture needs xclip, or wl-paste on Wayland: install it, or save the picture and open its "
+        "file");
 }
 
 const PictureKind* first_picture_in(const std::string& kinds) {
@@ -143,13 +143,13 @@ bool copy_picture(const fs::path& png, const std::stop_token& stop) {
         program = R"(xclip -selection clipboard -t image/png "$0")";
     else
         throw std::runtime_error(
-            "Copying a picture needs xclip, or wl-copy on Wayland: install that, or export the drawing as a "
+            "Copying a picture needs xclip, or wl-copy on Wayland: install it, or export the drawing as a "
             "PNG");
     // Both go on to hand the picture out, and would keep our pipe open.
     const auto done =
         output_of({"/bin/sh", "-c", "exec " + program + " >/dev/null", png.string()}, kLimits, stop);
     if (done && done->status != 0)
-        throw std::runtime_error("The picture could not be copied: there is no clipboard that takes it");
+        throw std::runtime_error("The picture could not be copied: no clipboard accepts it");
     return done.has_value();
 }
 
@@ -166,8 +166,7 @@ std::optional<fs::path> save_pasted_picture(const fs::path& folder, const std::s
     if (!kinds) return std::nullopt;
     const PictureKind* const kind = kinds->status == 0 ? first_picture_in(kinds->bytes) : nullptr;
     if (!kind)
-        throw std::runtime_error(
-            "There is neither a picture nor the name of a file on the clipboard; copy one of them");
+        throw std::runtime_error("The clipboard has neither a picture nor a file's path; copy one of them");
     Words get = program.get;
     get.emplace_back(kind->kind);
     const auto picture = output_of(get, kPicture, stop);

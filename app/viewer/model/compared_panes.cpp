@@ -111,7 +111,7 @@ void ComparedPanes::toggle(SeenInstead what) {
     if (std::exchange(toggled_, std::nullopt) == what) return;
     const DrawingSettings& now = session_.settings.drawing;
     if (what == SeenInstead::as_it_was && as_it_was_ == now) {
-        session_.banner = {BannerKind::notice, "The drawing is as it was; there is nothing to compare yet"};
+        session_.banner = {BannerKind::notice, "Nothing to compare yet: the drawing is unchanged"};
         return;
     }
     toggled_ = what;
@@ -119,7 +119,7 @@ void ComparedPanes::toggle(SeenInstead what) {
     session_.banner = {BannerKind::notice,
                        what == SeenInstead::photograph
                            ? "This is the photograph; press C or Escape for the drawing"
-                           : "This is the drawing as it was; press W or Escape for the present one"};
+                           : "This is the drawing as it was; press W or Escape for the current one"};
 }
 
 bool ComparedPanes::end_toggled() {
@@ -128,7 +128,7 @@ bool ComparedPanes::end_toggled() {
 
 void ComparedPanes::keep() {
     as_it_was_ = session_.settings.drawing;
-    session_.banner = {BannerKind::notice, "Kept: hold W to see the drawing as it is now"};
+    session_.banner = {BannerKind::notice, "Kept. Hold W to see these settings"};
 }
 
 void ComparedPanes::take_events() {

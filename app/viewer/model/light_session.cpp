@@ -119,7 +119,7 @@ void LightSession::stop(LightWork work) {
     switch (work) {
         case LightWork::reading:
             to_read_.reset();
-            banner = {BannerKind::notice, "Stopped: not all of " + shown(reading_path_) + " was read"};
+            banner = {BannerKind::notice, "Cancelled: " + shown(reading_path_) + " was not read completely"};
             return reading_.stop();
         case LightWork::sampling:
             return stop_sampling();
@@ -137,7 +137,7 @@ void LightSession::stop_sampling() {
     settings.tile = shown_with_->tile;
     asked_with_ = shown_with_;
     sampling_.stop();
-    banner = {BannerKind::notice, "Stopped: the samples and their settings are as before"};
+    banner = {BannerKind::notice, "Cancelled. The previous samples are back"};
 }
 
 void LightSession::take_events() {

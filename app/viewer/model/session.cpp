@@ -318,7 +318,8 @@ void Session::take_dropped(const fs::path& file) {
     else if (ending_of(file) == ".svg" || settings_inside(file))
         attempt([&] {
             take(settings_from(file));
-            banner = {BannerKind::notice, "Settings taken from " + file.string() + ". Undo restores yours."};
+            banner = {BannerKind::notice,
+                      "Using the settings of " + file.string() + ". Undo restores yours."};
         });
     else
         open(file);
@@ -417,7 +418,7 @@ void Session::request_dots(const Zoom& zoom, bool held) {
 void Session::stop_placing() {
     if (!placed_settings_) return;
     settings = *placed_settings_;
-    banner = {BannerKind::notice, "Stopped: the drawing and its settings are as before"};
+    banner = {BannerKind::notice, "Cancelled. The previous drawing is back"};
 }
 
 void Session::take_events(std::chrono::milliseconds patience) {
@@ -479,7 +480,7 @@ std::vector<fs::path> Session::files_to_save(const fs::path& path) const {
 
 void Session::take(DrawingSaved& event) {
     if (event.path == copied_path_) {
-        banner = {BannerKind::notice, "Copied the drawing; paste it where you like"};
+        banner = {BannerKind::notice, "Drawing copied"};
         return;
     }
     std::string words = event.path.string();
@@ -513,7 +514,7 @@ void Session::take(SavingCancelled& event) {
 
 void Session::take(OpeningStopped& event) {
     go_back_before(event.picture);
-    banner = {BannerKind::notice, "Stopped: not all of " + event.name + " was read"};
+    banner = {BannerKind::notice, "Cancelled: " + event.name + " was not read completely"};
 }
 
 DrawnInfo Session::drawn() const {

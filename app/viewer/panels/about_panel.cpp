@@ -23,29 +23,27 @@ struct Libraries {
 
 bool draw_preferences(Appearance& appearance, bool& desktop_dialog, LengthUnit* unit) {
     bool changed = segmented_row("Theme", appearance.theme, std::array{"light", "dark", "high contrast"},
-                                 "How the window looks; the drawing and its files stay as they are.");
+                                 "Colours of the window; the drawing and its files stay the same.");
     int size = appearance.text_size < 0.95f  ? 0
                : appearance.text_size < 1.1f ? 1
                : appearance.text_size < 1.4f ? 2
                                              : 3;
-    if (segmented_row("Text", size, std::array{"small", "usual", "large", "huge"},
-                      "The size of all text and rows, on top of the desktop's own scale.", 1)) {
+    if (segmented_row("Text", size, std::array{"small", "normal", "large", "huge"},
+                      "Size of text and rows, in addition to the desktop's scale.", 1)) {
         appearance.text_size = std::array{0.85f, 1.0f, 1.25f, 1.6f}[static_cast<std::size_t>(size)];
         changed = true;
     }
     int whose = desktop_dialog ? 1 : 0;
-    if (segmented_row(
-            "Open with", whose, std::array{"own dialog", "desktop's"},
-            "Which dialog asks for a file to open. The desktop's is shown by zenity or kdialog, where "
-            "one of them is installed; exporting keeps Dapple's own, which has its options.",
-            1)) {
+    if (segmented_row("Open with", whose, std::array{"Dapple's dialog", "system"},
+                      "Dialog for opening files. The system's needs zenity or kdialog. Exports always use "
+                      "Dapple's dialog, for its options.",
+                      1)) {
         desktop_dialog = whose == 1;
         changed = true;
     }
     if (unit)
         segmented_row("Lengths in", *unit, std::array{"mm", "inch"},
-                      "The unit of lengths that are shown, and of numbers typed without one; 8in and 21cm "
-                      "are understood in either.");
+                      "Unit of lengths shown, and of numbers typed without one; 8in and 21cm work in both.");
     return changed;
 }
 
@@ -64,8 +62,8 @@ void draw_about_panel(bool& open) {
     pop_title_font();
     ImGui::PushTextWrapPos(kWidth * ImGui::GetTextLineHeight());
     ImGui::TextUnformatted(
-        "Photographs as dots, in real time. The method is Ares Lagae's and Philip Dutré's: a self-similar "
-        "hierarchical tile, divided again and again (2006).");
+        "Photographs as dots, in real time. The method is by Ares Lagae and Philip Dutré (2006): a "
+        "self-similar hierarchical tile, divided again and again.");
     ImGui::TextUnformatted("Free to use, change and share under the MIT licence.");
     ImGui::PopTextWrapPos();
     ImGui::Dummy({0, ImGui::GetTextLineHeight() / 2});
@@ -78,7 +76,7 @@ void draw_about_panel(bool& open) {
         Libraries{"Apache 2.0", "oneTBB, qpdf"},
         Libraries{"LGPL or MPL", "Cairo"},
         Libraries{"their own, free", "libpng, libjpeg-turbo, libtiff, fontconfig"}};
-    ImGui::TextUnformatted("It is built on these libraries, by licence:");
+    ImGui::TextUnformatted("Built on these libraries, by licence:");
     if (!ImGui::BeginTable("libraries", 2, ImGuiTableFlags_SizingFixedFit)) return;
     for (const auto& [licence, names] : all_of_a_licence) {
         ImGui::TableNextRow();

@@ -143,7 +143,7 @@ void draw_title(const std::string& name, const UndoInfo& info, const std::functi
     const Shortcut& fit = shortcut_of(Action::fit);
     if (icon(fit.label, draw_fit_icon, with_keys(fit.tip, Action::fit).c_str())) act(Action::fit);
     const float right = place.x + button;
-    if (icon("Menu", draw_menu_icon, "All commands, keys, preferences, and what Dapple is."))
+    if (icon("Menu", draw_menu_icon, "All commands, keys, preferences and about Dapple."))
         ImGui::OpenPopup("menu");
     ImGui::SetNextWindowPos({right, start.y + height + ImGui::GetStyle().ItemSpacing.y}, ImGuiCond_Always,
                             {1, 0});

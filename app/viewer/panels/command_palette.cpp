@@ -44,7 +44,7 @@ std::string where_in_words(const FoundRow& found) {
     std::string words;
     if (found.row->is_section && found.row->sections.empty()) return "section";
     for (const std::string& section : found.row->sections) words += (words.empty() ? "" : ", ") + section;
-    if (found.value >= 0 && found.value == found.row->chosen) words += ", as it is";
+    if (found.value >= 0 && found.value == found.row->chosen) words += ", current";
     if (!found.row->why_not.empty()) words += ", not now";
     return words;
 }
@@ -137,11 +137,11 @@ void CommandPalette::draw(std::span<const Shortcut> shortcuts, const std::functi
             const std::filesystem::path& each = files[static_cast<std::size_t>(i - before_files)];
             if (entry(printable(each.filename().native()), i)) file = each;
             tip(printable(each.native()).c_str());
-            at_the_end_of_the_entry("opened before");
+            at_the_end_of_the_entry("recent");
         }
         ImGui::EndChild();
         note_place("Found");
-        if (entries == 0) hint("Nothing matches; try one word of it.");
+        if (entries == 0) hint("Nothing matches; try fewer words.");
         if (entered && chosen_ < actions)
             asked = found[static_cast<std::size_t>(chosen_)].action;
         else if (entered && chosen_ < before_files)

@@ -8,8 +8,7 @@ namespace dapple {
 namespace {
 
 bool draw_right_side(Comparison& right, const TileList& tiles) {
-    bool changed =
-        tile_row("Right tile", right.tile, tiles, "The tile that the right side's dots come from.");
+    bool changed = tile_row("Right tile", right.tile, tiles, "The tile of the right side's dots.");
     if (choice_row("Right placer", right.placer, std::array{"exact", "Figure 8"},
                    "How the right side's dots are placed: exactly, or as printed in the article.")) {
         DrawingSettings drawing;
@@ -23,10 +22,10 @@ bool draw_right_side(Comparison& right, const TileList& tiles) {
         const Absent absent(why_only_exact(right.placer));
         changed |= ranking_row("Right ranking", right.ranking);
     }
-    return segmented_row(
-               "Right side has", right.by, std::array{"same scale", counted ? "same count" : "similar count"},
-               "What both sides have in common. Figure 8 cannot count: it gets the scale that gives about "
-               "as many different dots.") ||
+    return segmented_row("Right side has", right.by,
+                         std::array{"same scale", counted ? "same count" : "similar count"},
+                         "What both sides share. Figure 8 has no exact count: it gets the scale for about as "
+                         "many distinct dots.") ||
            changed;
 }
 
@@ -34,7 +33,7 @@ bool draw_split(ViewerSettings& settings, const TileList& tiles) {
     Comparison& right = settings.comparison;
     bool on = right.on, changed = false;
     if (switch_row("Split view", on,
-                   "Another tile or placer on the right side of a line that can be dragged.")) {
+                   "Shows another tile or placer to the right of a line that you can drag.")) {
         right = toggled(right, settings.drawing);
         changed = true;
     }
@@ -47,16 +46,14 @@ bool draw_split(ViewerSettings& settings, const TileList& tiles) {
 }
 
 bool draw_loupe(LoupeChoice& loupe) {
-    bool changed =
-        switch_row("Loupe", loupe.on, "A lens that lays tiles on one another: what repeats stays crisp.");
+    bool changed = switch_row("Loupe", loupe.on, "A lens that overlays the tiles: what repeats stays crisp.");
     const Absent absent(loupe.on ? nullptr : "Applies to the loupe only.");
     const char* const words = loupe.step == 0 ? "fitting" : loupe.step > 0 ? "smaller" : "larger";
     changed |= slider_row("Its tiles", loupe.step,
                           {.min = -3,
                            .max = 3,
                            .format = words,
-                           .tip = "How large the tiles are that it lays on one another; a step to the right "
-                                  "halves their side."});
+                           .tip = "Size of the overlaid tiles; a step to the right halves their side."});
     return changed;
 }
 

@@ -23,30 +23,27 @@ bool draw_crop_rows(PageSetup& setup, CropTool& tool, glm::ivec2 picture, glm::d
     std::optional<Crop>& crop = setup.crop;
     Rectangle<double> box = crop_percent(crop, picture);
     bool changed = false;
-    if (segmented_row(
-            "Proportions", tool.proportion, names_of(tool.proportion),
-            "What the frame is kept to while it is dragged. page: the paper within its margins. 3:2: "
-            "upright if the frame is.")) {
+    if (segmented_row("Proportions", tool.proportion, names_of(tool.proportion),
+                      "Proportions that the frame keeps while dragged. page: the paper within its margins. "
+                      "3:2: upright if the frame is.")) {
         box = in_proportion(box, percent_proportion(tool.proportion, box, picture, room));
         changed = tool.proportion != CropProportion::free;
     }
     switch_row("Crop frame", tool.on,
-               "Shows all of the picture, with a frame around what is drawn: drag its edges, its corners or "
-               "all of it.");
+               "Shows the whole picture with a frame around what is drawn: drag the frame, its edges or its "
+               "corners.");
+    changed |= side_row("From left, %", box.low.x, 0, "In percent of the picture's width, before rotation.");
+    changed |= side_row("From top, %", box.low.y, 0, "In percent of the picture's height, before rotation.");
     changed |=
-        side_row("From left, %", box.low.x, 0, "In percent of the picture's width, before it is turned.");
+        side_row("To right, %", box.high.x, 100, "In percent of the picture's width, before rotation.");
     changed |=
-        side_row("From top, %", box.low.y, 0, "In percent of the picture's height, before it is turned.");
-    changed |=
-        side_row("To right, %", box.high.x, 100, "In percent of the picture's width, before it is turned.");
-    changed |=
-        side_row("To bottom, %", box.high.y, 100, "In percent of the picture's height, before it is turned.");
+        side_row("To bottom, %", box.high.y, 100, "In percent of the picture's height, before rotation.");
     if (changed) crop = crop_of_percent(box);
     changed |= segmented_row("Rotate", setup.quarter_turns, std::array{"0", "90", "180", "270"},
-                             "Turns the picture on the page, in degrees clockwise.");
+                             "Rotates the picture on the page, in degrees clockwise.");
     changed |= switch_row(setting::mirror, setup.mirrored);
-    const Absent absent(crop ? nullptr : "All of the picture is drawn.");
-    if (!wide_button("All of the picture", "Takes the crop away.")) return changed;
+    const Absent absent(crop ? nullptr : "The whole picture is drawn.");
+    if (!wide_button("Remove the crop", "Draws the whole picture.")) return changed;
     crop.reset();
     return true;
 }

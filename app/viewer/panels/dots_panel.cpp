@@ -28,9 +28,8 @@ bool draw_scale(double& scale, const PageSize& page, const std::optional<double>
     const double mm = page.mm_per_page_unit > 0 ? page.mm_per_page_unit : setting::width.usual;
     const double side = mm / (inches ? kMmPerInch : 10);
     const double dots = kDotsPerScale / (side * side);  // where the scale is 1
-    SliderRange range =
-        range_of(setting::scale,
-                 {.most = largest, .tip = "How many dots black gets; a darker picture has more of them."});
+    SliderRange range = range_of(
+        setting::scale, {.most = largest, .tip = "How many dots black gets; a darker picture gets more."});
     for (double* const end : {&range.min, &range.max, &range.neutral, &range.hard_min, &range.hard_max})
         *end *= dots;
     // On large pages they are few.
@@ -46,8 +45,7 @@ bool draw_scale(double& scale, const PageSize& page, const std::optional<double>
 
 // `follows`: how many there are follows from their sizes, which are chosen below.
 bool draw_amount(PlacingRequest& request, const DrawnInfo& drawn, bool follows, LengthUnit unit) {
-    const Greyed greyed(follows ? "The number of dots sized by tone follows from their sizes and the tone."
-                                : nullptr);
+    const Greyed greyed(follows ? "With sizes by tone, the count is calculated." : nullptr);
     const auto most = static_cast<double>(drawn.most_dots);
     if (!request.count) {
         // Dots are in proportion to the scale.
@@ -55,9 +53,9 @@ bool draw_amount(PlacingRequest& request, const DrawnInfo& drawn, bool follows, 
         if (drawn.dots > 0) largest = most / static_cast<double>(drawn.dots) * drawn.scale;
         return draw_scale(request.scale, drawn.page, largest, unit);
     }
-    const std::string why = fmt::format(
-        "How many dots there are; type a number, such as 40k. At most {} fit into this computer's memory.",
-        grouped(drawn.most_dots));
+    const std::string why =
+        fmt::format("Number of dots; type one, such as 40k. This computer's memory holds at most {}.",
+                    grouped(drawn.most_dots));
     std::uint64_t count = follows ? drawn.dots : *request.count;
     SliderRange range = range_of(setting::count, {.most = most, .tip = why.c_str()});
     range.grouped = true;
@@ -68,10 +66,8 @@ bool draw_amount(PlacingRequest& request, const DrawnInfo& drawn, bool follows, 
 
 bool draw_amount_by(PlacingRequest& request, const DrawnInfo& drawn) {
     int by = request.count ? 1 : 0;
-    if (!segmented_row("Dots by", by, std::array{"tone", "number"},
-                       "number: exactly as many dots as you ask for, whatever the picture. tone: a darker "
-                       "picture gets more dots.",
-                       1))
+    if (!segmented_row("Dot count", by, std::array{"from tone", "as set"},
+                       "as set: exactly this many dots. from tone: a darker picture gets more.", 1))
         return false;
     if (by == 0)
         use_scale(request, drawn);
@@ -83,10 +79,9 @@ bool draw_amount_by(PlacingRequest& request, const DrawnInfo& drawn) {
 bool draw_size(DotSize& size, const DrawnInfo& drawn, LengthUnit unit) {
     bool changed = false;
     DotSizing sizing = size.sizing;
-    if (segmented_row(
-            "Dot size", sizing, std::array{"auto", "fixed", "by tone"},
-            "auto: one size, the one that gives the picture's tone. fixed: one size of your own. by tone: "
-            "small dots in light areas, large ones in dark areas.")) {
+    if (segmented_row("Dot size", sizing, std::array{"auto", "fixed", "by tone"},
+                      "auto: the one size that gives the picture's tone. fixed: a size that you choose. by "
+                      "tone: small dots in light areas, large ones in dark areas.")) {
         size = dot_size_from(sizing, drawn.dot_radius_mm);
         changed = true;
     }
@@ -123,27 +118,30 @@ bool draw_shape(DrawingSettings& settings) {
     const Absent absent(dots ? nullptr : "Applies to dots only.");
     bool changed = false;
     // As DotShape has them.
-    constexpr std::array kShapes{"circle", "point", "stroke", "spiral", "hatch", "ring", "cross", "own path"};
+    constexpr std::array kShapes{"circle", "point", "stroke", "spiral",
+                                 "hatch",  "ring",  "cross",  "custom path"};
     if (choice_row("Dot shape", settings.mark.shape, kShapes,
-                   "circle: filled. point: the pen down and up. stroke: a short one. spiral, hatch: "
-                   "filled by the pen. own path: any that you type.")) {
+                   "circle: filled. point: pen down and up. stroke: a short line. spiral, hatch: filled by "
+                   "the pen. custom path: any path you type.")) {
         if (settings.mark.shape == DotShape::path && settings.mark.path.empty())
             settings.mark.path = kUsualPath;
         changed = true;
     }
     const bool own = dots && settings.mark.shape == DotShape::path;
-    const Absent not_own(own ? nullptr : "Applies to the dot shape \"own path\" only.");
-    return text_row("Own shape", settings.mark.path, is_dot_path,
-                    "A path in a box from 0,0 to 1,1: M, L, H, V, C, Q, A and Z, as in M0,0 L1,1",
-                    "As in SVG, in a box from 0,0 at the upper left to 1,1, around each dot.", kUsualPath) ||
+    const Absent not_own(own ? nullptr : "Applies to the dot shape \"custom path\" only.");
+    return text_row(
+               "Custom path", settings.mark.path, is_dot_path,
+               "A path in a box from 0,0 to 1,1: M, L, H, V, C, Q, A and Z, as in M0,0 L1,1",
+               "An SVG path in a box around each dot; 0,0 is its upper left corner, 1,1 its lower right.",
+               kUsualPath) ||
            changed;
 }
 
 bool draw_strokes(DrawingSettings& settings, LengthUnit unit) {
-    bool changed = segmented_row("Draw", settings.style, std::array{"dots", "one line", "nearest"},
-                                 "dots: each by itself. one line: through all dots, by a short route, "
-                                 "which takes some seconds to find. nearest: "
-                                 "lines from each dot to its nearest few.");
+    bool changed =
+        segmented_row("Draw", settings.style, std::array{"dots", "one line", "network"},
+                      "dots: each by itself. one line: through all dots, by a short route that takes some "
+                      "seconds to find. network: lines from each dot to its nearest few.");
     changed |= draw_shape(settings);
     const Absent absent(draws_strokes(settings) ? nullptr : "Filled circles need no pen.");
     changed |= slider_row(setting::pen_width, settings.pen_width_mm, {.unit = unit});

@@ -19,20 +19,19 @@ namespace dapple {
 namespace {
 
 constexpr const char* kOrders =
-    "The order of the dots in the file, in which a plotter draws them.\n"
+    "Order of the dots in the file and on the plotter.\n"
     "as placed: tile by tile.\n"
-    "short moves: each near the one before, found at once.\n"
-    "shortest: a short route, which for a million dots takes some seconds to find.\n"
-    "by priority: the first n dots are nearly the drawing with n dots if they are not relaxed, so that a "
-    "plot may "
+    "short moves: each dot near the one before, found at once.\n"
+    "shortest: a short route; for a million dots it takes some seconds to find.\n"
+    "by priority: unless relaxed, the first n dots nearly equal a drawing with n dots, so that a plot may "
     "stop at any time.";
 
 constexpr const char* kTools =
     "What the machine does at a dot.\n"
-    "pen: lowers it by the Z axis.\n"
-    "servo: turns a servo by M3.\n"
-    "laser: burns for a moment.\n"
-    "own: what a template of yours says, which is a text file.";
+    "pen: lowers it with the Z axis.\n"
+    "servo: turns a servo (M3).\n"
+    "laser: burns briefly.\n"
+    "custom: follows your template, a text file.";
 
 bool draw_order(std::optional<DotOrder>& choice, DotOrder usual) {
     const DotOrder order = choice.value_or(usual);
@@ -59,7 +58,7 @@ bool draw_gcode(SavingChoice& saving) {
     constexpr int kOwn = 3;
     OwnTemplate& own = saving.gcode_template;
     int chosen = own.text.empty() ? static_cast<int>(saving.tool) : kOwn;
-    bool changed = segmented_row("G-code for", chosen, std::array{"pen", "servo", "laser", "own"}, kTools);
+    bool changed = segmented_row("G-code for", chosen, std::array{"pen", "servo", "laser", "custom"}, kTools);
     if (changed && chosen == kOwn) {
         own = {.text =
                    std::string(gcode_template_of(saving.tool, saving.dwell_s))};  // until another is named
@@ -69,12 +68,12 @@ bool draw_gcode(SavingChoice& saving) {
         saving.pen_up = saving.pen_down = {};  // a servo's are no millimetres
     }
     {
-        const Absent absent(own.text.empty() ? "Choose a template of your own above." : nullptr);
+        const Absent absent(own.text.empty() ? "Choose \"custom\" above." : nullptr);
         std::string file = own.file;
         if (text_row(
                 "Template", file, [](const std::string& name) { return template_in(name).has_value(); },
-                "That file has no template: its lines begin with start, move, dot or end.",
-                "The file that says what the machine does at a dot. What it says is kept in the project.")) {
+                "Not a template: its lines have to begin with start, move, dot or end.",
+                "The file that sets what the machine does at a dot. The project keeps a copy.")) {
             own = template_in(file).value_or(own);
             changed = true;
         }
@@ -112,26 +111,20 @@ bool draw_machine(SavingChoice& saving, DrawingFormat format, const ExportInfo& 
     const bool changed =
         choice_row("Machine", machine,
                    std::array{"AxiDraw V3", "AxiDraw SE/A3", "iDraw", "GRBL pen plotter", "GRBL laser"},
-                   "Used for the time estimate below; the file is the same for all of them.");
+                   "Used for the time estimate below; the file is the same for all.");
     if (changed) saving.machine = machine;
     if (info.dots == 0) return changed;
-    hint(fmt::format("Takes {} to plot: {}.", time_in_words(info.plotting.total_s()),
+    hint(fmt::format("Plotting takes {}, {}.", time_in_words(info.plotting.total_s()),
                      what_takes_longest(info.plotting))
              .c_str());
     note_place("Plotting time");
     if (info.way_m <= 0) return changed;
     hint(info.way_before_m
-             ? fmt::format("From dot to dot the pen goes {:.1f} m, {:.1f} m before its way is shortened.",
-                           info.way_m, *info.way_before_m)
+             ? fmt::format("Pen travel: {:.1f} m ({:.1f} m unoptimised)", info.way_m, *info.way_before_m)
                    .c_str()
-             : fmt::format("From dot to dot the pen goes {:.1f} m.", info.way_m).c_str());
-    note_place("Pen's way");
+             : fmt::format("Pen travel: {:.1f} m", info.way_m).c_str());
+    note_place("Pen travel");
     return changed;
-}
-
-std::string beginning_large(std::string text) {
-    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
-    return text;
 }
 
 /// What a button beneath a finding does about it.
@@ -148,7 +141,7 @@ constexpr double kOpenBlack = 0.7;  // of which hardly any dots overlap
 
 Cure with_dots(double dots) {
     const auto count = static_cast<std::uint64_t>(dots);
-    return {fmt::format("{} dots", grouped(count)),
+    return {fmt::format("Use {} dots", grouped(count)),
             [count](ViewerSettings& settings) { settings.drawing.placing.count = count; }};
 }
 
@@ -168,31 +161,31 @@ std::optional<Cure> cure_of(const Finding& finding, const DrawingSettings& drawi
         case FindingKind::overlap:
             if (drawing.style == DrawingStyle::dots && drawing.dot_size.sizing == DotSizing::automatic &&
                 drawing.tone.black.value_or(1) > kOpenBlack)
-                return Cure{fmt::format("Deepest black {:g}", kOpenBlack),
+                return Cure{fmt::format("Set deepest black to {:g}", kOpenBlack),
                             [](ViewerSettings& settings) { settings.drawing.tone.black = kOpenBlack; }};
             break;
         case FindingKind::over_edge:
-            return Cure{"Automatic margins",
+            return Cure{"Use automatic margins",
                         [](ViewerSettings& settings) { settings.drawing.page.margins.reset(); }};
         case FindingKind::in_margins:
-            return Cure{fmt::format("Margins wider by {:.1f} mm", amount),
+            return Cure{fmt::format("Widen the margins by {:.1f} mm", amount),
                         [amount](ViewerSettings& settings) {
                             std::optional<Margins>& margins = settings.drawing.page.margins;
                             margins = widened(margins.value_or(Margins{}), amount);
                         }};
         case FindingKind::fine_pixels:
-            return Cure{fmt::format("{:.0f} dots per inch", amount),
+            return Cure{fmt::format("Use {:.0f} ppi", amount),
                         [amount](ViewerSettings& settings) { settings.saving.dpi = amount; }};
         case FindingKind::dwell:
             if (amount > 0)
-                return Cure{fmt::format("Dwell {:g} s", amount),
+                return Cure{fmt::format("Set dwell to {:g} s", amount),
                             [amount](ViewerSettings& settings) { settings.saving.dwell_s = amount; }};
             break;
         case FindingKind::tile_layer:
-            return Cure{"Leave the tile boundaries out",
+            return Cure{"Hide the tile boundaries",
                         [](ViewerSettings& settings) { settings.drawing.show_tiles = false; }};
         case FindingKind::background:
-            return Cure{"Leave the background out",
+            return Cure{"Hide the background",
                         [](ViewerSettings& settings) { settings.drawing.background = false; }};
         default:  // a choice that is the person's
             break;
@@ -203,10 +196,9 @@ std::optional<Cure> cure_of(const Finding& finding, const DrawingSettings& drawi
 bool draw_findings(const std::vector<Finding>& findings, ViewerSettings& settings) {
     bool changed = false;
     for (const Finding& finding : findings) {
-        // The time is told above, with its machine.
-        const std::string told = finding.kind == FindingKind::hours ? "To plot for less time: " + finding.cure
-                                                                    : sentence_of(finding);
-        hint((beginning_large(told) + ".").c_str());
+        // The time is shown above, with its machine.
+        const bool timed = finding.kind == FindingKind::hours;
+        hint(((timed ? finding.cure : sentence_of(finding)) + ".").c_str());
         note_place(("Finding " + std::string(name_of(finding.kind))).c_str());
         const std::optional<Cure> cure = cure_of(finding, settings.drawing);
         if (!cure) continue;
@@ -222,8 +214,7 @@ bool draw_findings(const std::vector<Finding>& findings, ViewerSettings& setting
 // That only a part of the page is saved, which the settings that were opened say.
 bool draw_region(std::optional<Rectangle<double>>& region) {
     const glm::dvec2 size = region->size();
-    hint(fmt::format("Saves only {:g} x {:g} mm of the page, from {:g} mm from its left and {:g} mm from its "
-                     "top.",
+    hint(fmt::format("Saves only {:g} x {:g} mm of the page, {:g} mm from its left and {:g} mm from its top.",
                      size.x, size.y, region->low.x, region->low.y)
              .c_str());
     const bool whole = key_button("Save the whole page");
@@ -246,7 +237,7 @@ bool draw_export_panel(ViewerSettings& settings, DrawingFormat format, const Exp
     if (has_pixels(format)) {
         changed |= slider_row(setting::dpi, settings.saving.dpi);
         int deep = settings.saving.bits == 16;
-        if (segmented_row("Bits", deep, std::array{"8", "16"}, "Bits for each channel of a pixel.")) {
+        if (segmented_row("Bits", deep, std::array{"8", "16"}, "Bits per channel.")) {
             settings.saving.bits = deep ? 16 : 8;
             changed = true;
         }
@@ -263,21 +254,21 @@ bool draw_export_panel(ViewerSettings& settings, DrawingFormat format, const Exp
     if (has_optional_paper(format))
         changed |= switch_row(format == DrawingFormat::svg ? "Paper in SVG" : "Paper in PDF",
                               settings.drawing.background,
-                              "Fills the page with the paper's colour under the dots; a plotter needs none.");
+                              "Paints the paper's colour under the dots; a plotter needs none.");
     const Sheet& sheets = settings.drawing.sheets;
     if (settings.saving.region && !is_several(sheets)) changed |= draw_region(settings.saving.region);
     if (!info.trouble.empty()) {
         hint(info.trouble.c_str());
         return changed;
     }
-    hint(is_several(sheets) ? fmt::format("{} x {} sheets, each a file, and a plan; together {}.",
-                                          sheets.columns, sheets.rows, size_in_words(info))
+    hint(is_several(sheets) ? fmt::format("{} x {} sheets and a plan, a file each: {}.", sheets.columns,
+                                          sheets.rows, size_in_words(info))
                                   .c_str()
                             : size_in_words(info).c_str());
     note_place("File size");
     changed |= draw_findings(info.findings, settings);
     if (settings.drawing.show_tiles && format != DrawingFormat::svg)
-        hint("Saved without the tile boundaries: only an SVG has layers.");
+        hint("The tile boundaries are not saved: only SVG has layers.");
     return changed;
 }
 

@@ -31,16 +31,16 @@ std::vector<KeyGroup> groups_of(std::span<const Shortcut> shortcuts) {
         if (*shortcut.keys)
             groups[static_cast<std::size_t>(group_of(shortcut.action))].rows.push_back(
                 {shortcut.keys, shortcut.meaning});
-    groups[0].rows.push_back({"Drop a file", "Open it; a .tile is drawn with"});
+    groups[0].rows.push_back({"Drop a file", "Open it, or draw with it (.tile)"});
     std::vector<KeyRow>& view = groups[1].rows;
     view.insert(view.begin(), {{"Wheel", "Zoom at the pointer"}, {"Drag", "Move the view"}});
     groups.push_back({"On a row",
-                      {{"Tab, Shift+Tab", "The next row, the row before"},
-                       {"Arrows", "Change it, ten times as far with Shift, a tenth with Alt"},
+                      {{"Tab, Shift+Tab", "Next or previous row"},
+                       {"Arrows", "Change it; Shift: ten times as far, Alt: a tenth"},
                        {"Enter, Space", "Type its value, press it, open its list"},
-                       {"Backspace", "Back to the usual value"},
+                       {"Backspace", "Reset to the default"},
                        {"Ctrl+click", "On a slider: type the number"},
-                       {"Double-click", "On its name: back to the usual value"}}});
+                       {"Double-click", "On its name: reset to the default"}}});
     std::erase_if(groups, [](const KeyGroup& group) { return group.rows.empty(); });
     return groups;
 }

@@ -33,16 +33,16 @@ void KeptRow::draw_naming(const KeptThings& things, Banner& banner) {
                             2 * (button + ImGui::GetStyle().ItemSpacing.x));
     if (std::exchange(ask_for_keys_, false)) ImGui::SetKeyboardFocusHere();
     const bool entered =
-        ImGui::InputTextWithHint("##name", "its name", &typed_, ImGuiInputTextFlags_EnterReturnsTrue);
+        ImGui::InputTextWithHint("##name", "name", &typed_, ImGuiInputTextFlags_EnterReturnsTrue);
     note_place(fmt::format("{} name", things.label).c_str());
     const bool left = ImGui::IsItemDeactivated() && key_pressed(Key::escape);
     ImGui::SameLine();
     const bool saved = key_button("Save", {button, 0}) || entered;
     note_place(fmt::format("Save {}", things.what).c_str());
-    tip("Keeps it under this name, to be chosen above.");
+    tip("Saves it under this name; choose it above.");
     ImGui::SameLine();
     if (key_button("Cancel", {button, 0}) || left) naming_ = false;
-    tip(fmt::format("Saves no {}.", things.what).c_str());
+    tip(fmt::format("Closes this without saving a {}.", things.what).c_str());
     ImGui::PopID();
     if (!saved || !done(things.save, typed_, banner)) return;
     banner = {BannerKind::notice, fmt::format("Saved the {} {}", things.what, typed_)};

@@ -20,35 +20,32 @@ constexpr SliderRange kCount{.min = 1,
                              .format = "%.0f",
                              .hard_max = 100'000,
                              .grouped = true,
-                             .tip = "How many samples the map's light is shared out to."};
+                             .tip = "Number of samples that share the map's light."};
 
 bool draw_samples(LightsSettings& settings, const TileList& tiles) {
     if (!section("Samples")) return false;
     LightRequest& request = settings.request;
     bool changed = slider_row("Samples", request.count, kCount);
     const LightRequest usual;
-    changed |=
-        segmented_row("Placed", request.position, std::array{"settled", "dot", "random"},
-                      "Where in its region a sample is: at the light's centre of gravity, where the placer "
-                      "put it, or drawn at random, which has no bias.",
-                      usual.position);
-    changed |=
-        segmented_row("Placer", request.placer, std::array{"exact", "Figure 8"},
-                      "exact: each sample once, and none is lost. Figure 8: as printed in the article, with "
-                      "some twice.",
-                      usual.placer);
+    changed |= segmented_row("Placed", request.position, std::array{"relaxed", "dot", "random"},
+                             "A sample's place in its region: at the light's centre of gravity, as placed, "
+                             "or random, which has no bias.",
+                             usual.position);
+    changed |= segmented_row(
+        "Placer", request.placer, std::array{"exact", "Figure 8"},
+        "exact: each sample once, none lost. Figure 8: as printed in the article, with some twice.",
+        usual.placer);
     changed |= tile_row("Tile", settings.tile, tiles, "The square of points that all samples come from.");
     bool compensated = request.importance == LightImportance::compensated;
-    if (switch_row(
-            "MIS compensation", compensated,
-            "Leaves the map's dim light to the renderer's other samples (multiple importance sampling), so "
-            "that more of these go where it is bright.")) {
+    if (switch_row("MIS compensation", compensated,
+                   "Leaves dim light to the renderer's other samples (multiple importance sampling), so that "
+                   "bright areas get more of these.")) {
         request.importance = compensated ? LightImportance::compensated : LightImportance::light;
         changed = true;
     }
     changed |= slider_row(
         "Seed", request.seed,
-        {.max = 100, .format = "%.0f", .tip = "Another number gives other random places, as good as these."});
+        {.max = 100, .format = "%.0f", .tip = "Another number gives other random places, equally good."});
     return changed;
 }
 
@@ -61,18 +58,16 @@ bool draw_view(LightsSettings& settings) {
                     .format = "%+.1f",
                     .hard_min = -40,
                     .hard_max = 40,
-                    .tip = "How light the map is shown, in stops: E is lighter, Shift+E darker; the samples "
-                           "stay."});
+                    .tip = "Exposure of the view, in stops; the samples stay. E lightens, Shift+E darkens."});
     changed |=
         slider_row("Rotation", settings.turn_degrees,
                    {.min = -180,
                     .max = 180,
                     .format = "%.0f deg",
-                    .tip = "Turns the light about the vertical axis, on the spheres and in the file."});
-    changed |=
-        segmented_row("Samples as", settings.marks, std::array{"points", "areas", "none"},
-                      "What shows the samples on the map: where they are, or outlines of what is nearer "
-                      "to each than to any other. The spheres are lit by them all the same.");
+                    .tip = "Rotates the light about the vertical axis, on the spheres and in the file."});
+    changed |= segmented_row("Samples as", settings.marks, std::array{"points", "areas", "none"},
+                             "Shows samples as points, or as outlines of the area nearest to each. They "
+                             "light the spheres either way.");
     return changed;
 }
 
@@ -110,41 +105,39 @@ bool draw_lights_panel(LightsSettings& settings, const std::optional<LightsInfo>
             line(label, info ? words(*info) : std::string("measuring"));
             note_place(label);
         };
-        figure("Irradiance differs by", [](const LightsInfo& f) { return mean_and_largest(f.irradiance); });
-        figure("Glossy light differs by", [](const LightsInfo& f) { return mean_and_largest(f.glossy); });
-        figure("Total flux differs by", [](const LightsInfo& f) { return small_percentage(f.flux_error); });
+        figure("Irradiance error", [](const LightsInfo& f) { return mean_and_largest(f.irradiance); });
+        figure("Glossy light error", [](const LightsInfo& f) { return mean_and_largest(f.glossy); });
+        figure("Total flux error", [](const LightsInfo& f) { return small_percentage(f.flux_error); });
         figure("Placing", [](const LightsInfo& f) { return fmt::format("{:.1f} ms", f.place_ms); });
-        figure("Sharing out the light",
-               [](const LightsInfo& f) { return fmt::format("{:.1f} ms", f.share_ms); });
+        figure("Sharing the light", [](const LightsInfo& f) { return fmt::format("{:.1f} ms", f.share_ms); });
         hint(
-            "Mean and largest difference, over all directions, between what the samples and every texel of "
-            "the map "
-            "light: a diffuse sphere, and a glossy one. The largest are where the map is dark, and hardly "
-            "show.");
+            "Mean and largest difference, over all directions, between light from the samples and from every "
+            "texel of the map: on a diffuse sphere and a glossy one. The largest lie in dark parts and "
+            "hardly show.");
     }
     return changed;
 }
 
 bool draw_light_export_panel(LightsSettings& settings, LightFile format) {
     if (format == LightFile::png) {
-        hint("The map as it lies in its file, at the exposure of the view, with the samples over it.");
+        hint("The map as in its file, at the view's exposure, with the samples on top.");
         return false;
     }
     constexpr std::array kConventions{SphereConvention::openexr, SphereConvention::usd,
                                       SphereConvention::mitsuba, SphereConvention::blender,
                                       SphereConvention::pbrt};
-    std::vector<std::string> words{"usual for the file"};
+    std::vector<std::string> words{"the file's default"};
     for (const SphereConvention convention : kConventions) words.emplace_back(name_of(convention));
     std::vector<const char*> names;
     for (const std::string& word : words) names.push_back(word.c_str());
     const auto at =
         settings.convention ? std::ranges::find(kConventions, *settings.convention) : kConventions.end();
     int chosen = at == kConventions.end() ? 0 : static_cast<int>(at - kConventions.begin()) + 1;
-    const bool changed = choice_row(
-        "Axes", chosen, names,
-        "Which way is up and where the map's middle lies, as the renderer that reads the file has them.");
+    const bool changed =
+        choice_row("Axes", chosen, names,
+                   "Which way is up and where the map's middle lies, for the renderer that reads the file.");
     if (changed) settings.convention = chosen == 0 ? std::nullopt : std::optional(kConventions[chosen - 1]);
-    hint("The samples are turned by the view's rotation.");
+    hint("The view's rotation turns the samples too.");
     return changed;
 }
 

@@ -12,17 +12,17 @@ bool draw_mask_panel(DrawingSettings& drawing, MaskBrush& tool) {
     }
     Brush& brush = tool.brush;
     int paints = tool.on ? 1 + static_cast<int>(brush.kind) : 0;
-    if (segmented_row("Brush", paints, std::array{"off", "more", "fewer", "none", "finer", "erase"},
-                      "The left mouse button paints on the picture; the middle one still moves the page. "
-                      "more: up to four times as many dots, where the tone leaves room. fewer: half of them. "
-                      "none: bare paper. finer: up to four times as many dots of half the width, at the same "
-                      "tone. erase: as the picture has it.")) {
+    if (segmented_row(
+            "Brush", paints, std::array{"off", "more", "fewer", "none", "finer", "erase"},
+            "Paint with the left mouse button; the middle one moves the page. more: up to four times as many "
+            "dots, where the tone leaves room. fewer: half as many. none: bare paper. finer: up to four "
+            "times as many dots of half the width, at the same tone. erase: removes paint.")) {
         tool.on = paints > 0;
         if (tool.on) brush.kind = static_cast<BrushKind>(paints - 1);
     }
     const bool paints_finer = tool.on && brush.kind == BrushKind::finer;
     if ((paints_finer || drawing.mask.has_finer()) && !can_be_finer(drawing)) {
-        hint("Lines, and dots as wide as their pen, are not made finer.");
+        hint("Lines and dots as wide as their pen cannot be finer.");
         note_place("Not finer");
     }
     double percent = 100 * brush.radius;
@@ -34,18 +34,18 @@ bool draw_mask_panel(DrawingSettings& drawing, MaskBrush& tool) {
                     .format = "%.1f",
                     .hard_min = 100 * kSmallestBrush,
                     .hard_max = 100 * kLargestBrush,
-                    .tip = "The brush's radius, in percent of the picture's longer side. The keys [ and ] "
-                           "change it too, and so does the wheel with Ctrl."}))
+                    .tip = "Brush radius, in percent of the picture's longer side. Keys: [ and ], or Ctrl "
+                           "and the wheel."}))
         brush.radius = percent / 100;
     slider_row("Softness", brush.softness,
-               {.neutral = 0.5, .tip = "How much of the brush fades towards its rim: 0 has a sharp edge."});
+               {.neutral = 0.5, .tip = "How much of the brush fades towards its rim; 0 is a sharp edge."});
     slider_row("Strength", brush.strength,
                {.min = 0.05,
                 .neutral = 1,
                 .hard_min = 0.01,
-                .tip = "How far one stroke goes; the next goes on from there."});
+                .tip = "Strength of one stroke; further strokes add to it."});
     const Absent absent(drawing.mask.empty() ? "Nothing is masked." : nullptr);
-    const bool cleared = wide_button("Clear the mask", "The whole picture is drawn as its tone says again.");
+    const bool cleared = wide_button("Clear the mask", "Removes all paint.");
     if (cleared) drawing.mask = {};
     return cleared;
 }

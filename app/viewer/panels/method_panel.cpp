@@ -14,52 +14,46 @@ namespace dapple {
 namespace {
 
 bool draw_placer(DrawingSettings& settings) {
-    return segmented_row(
-        "Placer", settings.placer, std::array{"exact", "Figure 8"},
-        "exact: each dot once, and none is lost. Figure 8: as printed in the article, a quarter of its dots "
-        "lie on others.");
+    return segmented_row("Placer", settings.placer, std::array{"exact", "Figure 8"},
+                         "exact: each dot once, none lost. Figure 8: as printed in the article; a quarter of "
+                         "its dots lie on others.");
 }
 
 bool draw_density(DensityChoice& density) {
-    bool changed = segmented_row(
-        "Density", density.source, std::array{"photo", "grey", "ramp"},
-        "What the dots draw: the photograph, an even grey or a ramp from light to dark. On the last two a "
-        "repeating tile is seen best.");
+    bool changed = segmented_row("Density", density.source, std::array{"photo", "grey", "ramp"},
+                                 "What the dots draw: the photograph, an even grey or a ramp from light to "
+                                 "dark. The last two show best whether a tile repeats.");
     const Absent absent(density.source == DensitySource::grey ? nullptr : "Applies to a grey density only.");
-    changed |= slider_row("Grey", density.grey,
-                          {.min = 0.01,
-                           .neutral = 0.5,
-                           .hard_min = 0,
-                           .tip = "How dense the even grey is; 1 is as dark as the scale makes it."});
+    changed |= slider_row(
+        "Grey", density.grey,
+        {.min = 0.01, .neutral = 0.5, .hard_min = 0, .tip = "Density of the even grey; 1 is the darkest."});
     return changed;
 }
 
 bool draw_zooming(ViewerSettings& settings) {
     const Absent absent(
         settings.drawing.placer == PlacerKind::exact ? nullptr : "Figure 8 places whole drawings only.");
-    return segmented_row(
-        "Zooming in", settings.zoom_mode, std::array{"larger dots", "more dots"},
-        "larger dots: as on paper under a lens. more dots: they keep their size, and new ones appear between "
-        "them without end.");
+    return segmented_row("Zooming in", settings.zoom_mode, std::array{"larger dots", "more dots"},
+                         "larger dots: like paper under a lens. more dots: dots keep their size, and new "
+                         "ones appear without end.");
 }
 
 // What is shown of the tiles that the dots come from.
 bool draw_shown(ViewerSettings& settings) {
     bool changed = switch_row(setting::show_tiles, settings.drawing.show_tiles);
-    changed |= choice_row(
-        "Dots coloured", settings.colouring, std::array{"as ink", "by level", "by rank", "by tile"},
-        "by level: how often the page was divided. by rank: how early in its tile. by tile: which kind its "
-        "tile is, or how it is turned if all are of one kind.");
+    changed |= choice_row("Dots coloured", settings.colouring,
+                          std::array{"as ink", "by level", "by rank", "by tile"},
+                          "by level: how often the page was divided. by rank: how early in its tile. by "
+                          "tile: the tile's kind, or how it is turned if there is only one kind.");
     return draw_zooming(settings) || changed;
 }
 
 bool draw_levels(int& deepest) {
-    return slider_row(
-        "Divided up to", deepest,
-        {.max = kDeepestStep,
-         .neutral = kDeepestStep,
-         .format = deepest == kDeepestStep ? "all" : "%.0f",
-         .tip = "Shows only the dots of the first levels, as if the page were not divided any further."});
+    return slider_row("Divided up to", deepest,
+                      {.max = kDeepestStep,
+                       .neutral = kDeepestStep,
+                       .format = deepest == kDeepestStep ? "all" : "%.0f",
+                       .tip = "Shows only dots up to this level of division."});
 }
 
 }  // namespace
@@ -67,16 +61,15 @@ bool draw_levels(int& deepest) {
 const char* why_only_exact(PlacerKind placer) {
     return placer == PlacerKind::exact
                ? nullptr
-               : "The paper's placer (Figure 8) knows nothing of this: its dots stay as placed, "
-                 "in the paper's order.";
+               : "Does not apply to Figure 8: its dots stay as placed, in the paper's order.";
 }
 
 bool ranking_row(const char* label, std::optional<RankingMethod>& ranking) {
     // The tile's own comes first, then RankingMethod's.
     int chosen = ranking ? static_cast<int>(*ranking) + 1 : 0;
     if (!choice_row(label, chosen,
-                    std::array{"the tile's own", "paper's ranks", "farthest point", "even tone (energy)"},
-                    "Which of the tile's points become dots first while it gets darker."))
+                    std::array{"the tile's", "paper's ranks", "farthest point", "even tone (energy)"},
+                    "Which of the tile's points become dots first as the tone darkens."))
         return false;
     ranking.reset();
     if (chosen > 0) ranking = static_cast<RankingMethod>(chosen - 1);
@@ -101,8 +94,8 @@ void draw_film_buttons(std::span<const Action> films, const std::function<void(A
 bool draw_method_rows(ViewerSettings& settings, const TileList& tiles) {
     DrawingSettings& drawing = settings.drawing;
     hint(
-        "All dots come from a small square of points, the tile, or a few that fit together: each is "
-        "divided into four smaller ones until its points are dense enough for the picture there.");
+        "All dots come from a small square of points, the tile, or a few compatible ones. Each is divided "
+        "into four until its points are dense enough for the picture.");
     bool changed = draw_placer(drawing);
     // What is drawn with; the own choice comes back with the exact placer.
     std::string tile = tile_in_use(drawing);
@@ -118,14 +111,11 @@ bool draw_method_rows(ViewerSettings& settings, const TileList& tiles) {
     changed |= draw_density(settings.density);
     changed |= draw_shown(settings);
     changed |= draw_levels(settings.deepest_level);
-    changed |=
-        switch_row("Explain dots", settings.origins,
-                   "Beside the pointer: the level, the rank and the density that the dot under it comes "
-                   "from; its tile lights up (key I).");
     changed |= switch_row(
-        "Every frame", settings.every_frame,
-        "Places all dots anew in each frame, without rest, and shows how many frames a second that "
-        "makes.");
+        "Explain dots", settings.origins,
+        "Shows the level, rank and density of the dot under the pointer; its tile lights up (key I).");
+    changed |= switch_row("Every frame", settings.every_frame,
+                          "Places all dots anew in every frame and shows the frame rate.");
     return changed;
 }
 

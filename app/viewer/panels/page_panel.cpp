@@ -13,13 +13,12 @@
 namespace dapple {
 namespace {
 
-constexpr const char* kNamed = "The paper says how large the page is. For another size choose \"custom\".";
-constexpr const char* kPictureShape =
-    "The page has the picture's shape and lies as the picture does. For another choose a paper.";
+constexpr const char* kNamed = "The paper sets the page size. For another, choose \"custom\".";
+constexpr const char* kPictureShape = "The page has the picture's shape. For another, choose a paper.";
 
 bool draw_paper(PageSetup& setup, const PageSize& drawn) {
     if (!choice_row("Paper size", setup.paper, names_of(setup.paper),
-                    "The sheet that is drawn on; \"as the picture\" makes it follow the picture's shape."))
+                    "The sheet to draw on; \"as the picture\" follows the picture's shape."))
         return false;
     // Either of the two that are no papers begins with the page as it was, to be changed from there.
     if (setup.paper == Paper::custom) {
@@ -66,7 +65,7 @@ bool& each_side() {
     return *ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("each margin"));
 }
 
-constexpr const char* kOneMargin = "How wide the bare paper is along this edge.";
+constexpr const char* kOneMargin = "Width of the bare paper along this edge.";
 
 // The page's margins, or those that are automatic, which are as wide as a dot reaches.
 class MarginRows {
@@ -81,8 +80,8 @@ class MarginRows {
     bool draw_first() {
         const bool alike = !each_side() && are_equal(shown_);
         const bool changed = row(alike ? setting::margin.names.row : "Top", shown_.top,
-                                 alike ? "How wide the bare paper is along all four edges. As usual it is as "
-                                         "wide as a dot's radius, so that no dot is cut."
+                                 alike ? "Width of the bare paper along all four edges. By default, one dot "
+                                         "radius, so that no dot is cut."
                                        : kOneMargin);
         if (alike) shown_ = on_all_sides(shown_.top);
         return taken(changed);
@@ -92,8 +91,7 @@ class MarginRows {
         int by = each_side() || !are_equal(shown_) ? 1 : 0;
         bool changed = false;
         if (segmented_row("Margins", by, std::array{"equal", "each side"},
-                          "Bare paper along the edges, in which no part of a dot lies. each side: they may "
-                          "differ.")) {
+                          "Bare paper along the edges, free of dots. each side: margins may differ.")) {
             each_side() = by == 1;
             if (by == 0) {
                 changed = !are_equal(shown_);
@@ -136,15 +134,14 @@ class MarginRows {
 };
 
 bool draw_number_of_sheets(const char* label, int& number) {
-    return slider_row(
-        label, number,
-        {.min = 1,
-         .max = 10,
-         .neutral = 1,
-         .format = "%.0f",
-         .hard_max = kMostSheetsAtOnce,
-         .tip = "For a mural larger than the printer or the plotter: with more than one, each sheet is "
-                "exported into a file of its own, with a plan of how they join."});
+    return slider_row(label, number,
+                      {.min = 1,
+                       .max = 10,
+                       .neutral = 1,
+                       .format = "%.0f",
+                       .hard_max = kMostSheetsAtOnce,
+                       .tip = "For a mural larger than the printer or plotter: each sheet is exported as a "
+                              "file, with a plan of how they join."});
 }
 
 bool draw_sheets(Sheet& sheets, const PageSize& drawn, LengthUnit unit) {
@@ -159,7 +156,7 @@ bool draw_sheets(Sheet& sheets, const PageSize& drawn, LengthUnit unit) {
         hint((sheets_in_words(drawn, sheets, unit) + ".").c_str());
         note_place("Sheets");
     } catch (const std::runtime_error& error) {
-        hint("No sheets: their overlap is too wide.");
+        hint("The overlap is too wide for these sheets.");
         note_place("No sheets");
         tip((std::string(error.what()) + ".").c_str());
     }
@@ -175,11 +172,10 @@ bool draw_page_panel(PageSetup& setup, Sheet& sheets, const PageLayout& drawn, L
     {
         const Absent absent(setup.paper == Paper::as_picture ? kPictureShape : nullptr);
         changed |= choice_row("Orientation", setup.orientation, std::array{"auto", "portrait", "landscape"},
-                              "Whether the sheet is portrait or landscape; auto: as the picture is.");
-        changed |=
-            segmented_row("Fit", setup.fit, std::array{"inside", "fill"},
-                          "inside: all of the picture, centred within the margins. fill: the middle of the "
-                          "picture, cut so that it fills the page up to the margins.");
+                              "Portrait or landscape; auto: as the picture is.");
+        changed |= segmented_row("Fit", setup.fit, std::array{"inside", "fill"},
+                                 "inside: the whole picture, centred within the margins. fill: the middle of "
+                                 "the picture, cropped to fill the page up to the margins.");
     }
     changed |= draw_sides(setup, drawn.page, unit);
     MarginRows margins(setup.margins, drawn, unit);

@@ -27,10 +27,10 @@ bool PaletteRow::draw(PenChoice& pens, const Palette& now, Banner& banner) {
     KeptThings things{
         .label = "Palette",
         .tip =
-            "Sets of pens, each with a name: common ones, and those that you save here. The command takes "
-            "them as --pens NAME. Automatic pens are chosen from them.",
+            "Named sets of pens: common ones and those you save here. Automatic pens are chosen from them. "
+            "Commands take them as --pens NAME.",
         .what = "palette",
-        .present = automatic ? "own pens" : "as set below",
+        .present = automatic ? "custom pens" : "Custom",
         .keep = "Save these pens as...",
         .may_keep = !folder_.empty() && !now.empty(),
         .take =

@@ -20,15 +20,13 @@ SliderRange length_range(double max, double hard_max, LengthUnit unit, const cha
 }
 
 SliderRange width_range(LengthUnit unit) {
-    return length_range(1.5, kWidestPenMm, unit,
-                        "How wide the pen's tip draws; 0: as large as the dots are drawn.");
+    return length_range(1.5, kWidestPenMm, unit, "Width of the pen's line; 0: as wide as the dots.");
 }
 
 SliderRange gain_range(LengthUnit unit) {
-    return length_range(
-        0.5, kMostGainMm, unit,
-        "Dot gain: how much wider than the tip its dots come out on your paper, as read off the "
-        "page that dapple testsheet makes. Wider dots are fewer.");
+    return length_range(0.5, kMostGainMm, unit,
+                        "Dot gain: how much wider than the tip dots become on your paper. Measure it with "
+                        "dapple testsheet. Wider dots are fewer.");
 }
 
 // What pens of one's own begin as: those that drew so far.
@@ -53,9 +51,9 @@ struct Inks {
     PenSet set;
     bool white_on_black = false;
 };
-constexpr std::array kInks{Inks{"one ink", PenSet::one},  Inks{"white on black", PenSet::one, true},
-                           Inks{"greys", PenSet::greys},  Inks{"CMYK", PenSet::cmyk},
-                           Inks{"own pens", PenSet::own}, Inks{"automatic", PenSet::automatic}};
+constexpr std::array kInks{Inks{"one ink", PenSet::one},     Inks{"white on black", PenSet::one, true},
+                           Inks{"greys", PenSet::greys},     Inks{"CMYK", PenSet::cmyk},
+                           Inks{"custom pens", PenSet::own}, Inks{"automatic", PenSet::automatic}};
 
 bool is_white_on_black(const DrawingSettings& settings) {
     return settings.pens.set == PenSet::one && settings.tone.invert && settings.ink == kWhite &&
@@ -80,11 +78,10 @@ bool draw_inks(DrawingSettings& settings) {
         return inks.set == settings.pens.set && inks.white_on_black == is_white_on_black(settings);
     });
     int chosen = static_cast<int>(now - kInks.begin());
-    if (!choice_row(
-            "Inks", chosen, names,
-            "One ink, or several pens, whose colours mix to the picture's; dots of all keep apart. white on "
-            "black: draws the light of the picture. own pens: pens that you name. automatic: those that suit "
-            "the picture, of common colours or of your own, as Palette says."))
+    if (!choice_row("Inks", chosen, names,
+                    "One ink, or several pens whose colours mix to the picture's; the dots of all keep "
+                    "apart. white on black: draws the light parts. custom pens: pens that you name. "
+                    "automatic: pens chosen for the picture from the palette."))
         return false;
     const Inks& taken = kInks[static_cast<std::size_t>(chosen)];
     take_inks(settings, taken.set, taken.white_on_black);
@@ -97,7 +94,7 @@ bool draw_light_ink(DrawingSettings& settings, bool mostly_black) {
     ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(ImGuiCol_ButtonActive));
     const bool pressed =
         wide_button("White ink on black paper",
-                    "Nearly all dots go into black: this draws the light of the picture instead.");
+                    "Nearly all dots would lie in black; this draws the light parts instead.");
     ImGui::PopStyleColor();
     if (pressed) take_inks(settings, PenSet::one, true);
     return pressed;
@@ -110,12 +107,12 @@ bool draw_number(PenChoice& pens) {
                        .max = chooses_from_own(pens) ? double(pens.own.size() - 1) : double{kMostPens},
                        .neutral = 4,
                        .format = "%.0f",
-                       .tip = "How many pens are chosen for the picture; more of them mix more colours."});
+                       .tip = "Number of pens chosen for the picture; more pens mix more colours."});
 }
 
 bool draw_tips(PenChoice& pens, LengthUnit unit) {
-    const char* const no_width = pens.set == PenSet::own  ? "Each pen of your own has its width."
-                                 : chooses_from_own(pens) ? "Each pen of the palette has its width."
+    const char* const no_width = pens.set == PenSet::own  ? "Each custom pen has its own width."
+                                 : chooses_from_own(pens) ? "Each pen of the palette has its own width."
                                                           : nullptr;
     const Absent absent(no_width);
     const bool changed = slider_row("Tip width", pens.width_mm, width_range(unit));
@@ -125,11 +122,10 @@ bool draw_tips(PenChoice& pens, LengthUnit unit) {
 
 bool draw_black_ink(PenChoice& pens) {
     const Absent absent(pens.set == PenSet::cmyk ? nullptr : "Applies to CMYK only.");
-    return slider_row(
-        "Black in greys", pens.black,
-        {.neutral = kUsualBlack,
-         .tip = "How much of greys is drawn in black instead of in three colours that make grey: "
-                "0 as little as possible, 1 as much."});
+    return slider_row("Black in greys", pens.black,
+                      {.neutral = kUsualBlack,
+                       .tip = "How much grey is drawn in black instead of three colours: 0 as little as "
+                              "possible, 1 as much."});
 }
 
 bool is_free(const Palette& pens, const std::string& name) {
@@ -160,17 +156,16 @@ bool draw_own_pen(const PenChoice& choice, Palette& pens, std::size_t place, Len
     };
     bool changed = text_row(("Pen" + number).c_str(), pen.name, good,
                             "Up to 40 plain letters, digits, spaces and - _ . ( ), and no other pen's name",
-                            "The pen's name, as its layer is called in the file.");
-    changed |=
-        colour_row(("Colour" + number).c_str(), pen.colour, "The colour that the pen leaves on paper.");
+                            "The pen's name, which is its layer's in the file.");
+    changed |= colour_row(("Colour" + number).c_str(), pen.colour, "The pen's colour on paper.");
     changed |= slider_row(("Width" + number).c_str(), pen.width_mm, width_range(unit));
     {
         const Absent absent(pen.width_mm > 0 ? nullptr : "Give the pen a width first.");
         changed |= slider_row(
             ("Gap" + number).c_str(), pen.gap_mm,
-            length_range(3, kWidestPenMm, unit,
-                         "Dots of this pen that are nearer than this run together on your paper; saving the "
-                         "drawing tells you how many will."));
+            length_range(
+                3, kWidestPenMm, unit,
+                "Dots of this pen that are closer run together on your paper; the export reports how many."));
         changed |= slider_row(("Gain" + number).c_str(), pen.gain_mm, gain_range(unit));
     }
     {
@@ -178,12 +173,12 @@ bool draw_own_pen(const PenChoice& choice, Palette& pens, std::size_t place, Len
                             : choice.order != PenOrder::listed
                                 ? "Applies to the pen order \"as listed\" only."
                                 : nullptr);
-        if (wide_button(("Draw " + pen.name + " earlier").c_str(), "Changes places with the pen above it."))
+        if (wide_button(("Draw " + pen.name + " earlier").c_str(), "Swaps it with the pen above."))
             pressed = OwnPenButton::earlier;
     }
     {
         const Absent absent(pens.size() > 1 ? nullptr : "A drawing needs one pen.");
-        if (wide_button(("Remove " + pen.name).c_str(), "Takes the pen out of the set; undo brings it back."))
+        if (wide_button(("Remove " + pen.name).c_str(), "Removes the pen from the set; undo restores it."))
             pressed = OwnPenButton::remove;
     }
     ImGui::PopID();
@@ -212,11 +207,10 @@ bool draw_own_pens(PenChoice& choice, LengthUnit unit) {
 
 // Above the list, so that it stays where it is while the list grows.
 bool draw_adding(PenChoice& pens) {
-    const Absent absent(pens.set != PenSet::own        ? "Applies to pens of your own only."
+    const Absent absent(pens.set != PenSet::own        ? "Applies to custom pens only."
                         : pens.own.size() >= kMostPens ? "That is the maximum."
                                                        : nullptr);
-    if (!wide_button("Add a pen", "One more pen, in a colour that many makers have; change it as you like."))
-        return false;
+    if (!wide_button("Add a pen", "Adds a pen in a common colour; change it as you like.")) return false;
     pens.own.push_back(another(pens.own));
     return true;
 }
@@ -231,8 +225,7 @@ void draw_pen_alone(std::span<const Pen> drawn, ShownPens& shown) {
     const auto alone = std::ranges::find(drawn, shown.only, &Pen::name);
     int chosen = alone == drawn.end() ? 0 : static_cast<int>(alone - drawn.begin()) + 1;
     if (choice_row("Pens shown", chosen, entries,
-                   "Shows the dots of all pens or of one alone, as its layer has them. Only a way of "
-                   "looking: files have all pens."))
+                   "Shows the dots of all pens or of one, as in its layer. Exports include all pens."))
         shown.only = chosen == 0 ? "" : drawn[static_cast<std::size_t>(chosen - 1)].name;
 }
 
@@ -245,7 +238,7 @@ void draw_pen_faces(const PensSeen& seen) {
         bool is_seen = shown.only.empty() ? !shown.hidden.contains(pen.name) : shown.only == pen.name;
         if (!eye_row(("Show " + pen.name).c_str(), pen.name, pen.colour,
                      i < seen.dots.size() ? grouped(seen.dots[i]) : "", is_seen,
-                     "Whether this pen's dots are seen in the window; files have them all the same."))
+                     "Show or hide on screen. Exports include it."))
             continue;
         shown.only.clear();
         if (is_seen)
@@ -260,10 +253,9 @@ bool draw_more(DrawingSettings& settings, LengthUnit unit, const PensSeen& seen)
     if (!subsection("More pen settings", false)) return false;
     PenChoice& pens = settings.pens;
     bool changed = draw_tips(pens, unit);
-    changed |= choice_row(
-        "Pen order", pens.order, std::array{"lightest first", "darkest first", "as listed"},
-        "In which order the pens draw; later ones lie on top. lightest first: no tip drags a darker ink "
-        "along. darkest first: for inks that cover darker ones.");
+    changed |= choice_row("Pen order", pens.order, std::array{"lightest first", "darkest first", "as listed"},
+                          "Order of the pens; later ones lie on top. lightest first: no tip picks up a "
+                          "darker ink. darkest first: for inks that cover darker ones.");
     changed |= choice_row(setting::pen_ink.names.row, pens.ink, names_of(pens.ink), setting::pen_ink.help);
     changed |= draw_black_ink(pens);
     changed |= switch_row(setting::registration, settings.registration);
@@ -282,7 +274,7 @@ bool draw_pen_panel(DrawingSettings& settings, LengthUnit unit, const PensSeen& 
     changed |= draw_light_ink(settings, mostly_black);
     {
         const Absent absent(settings.pens.set == PenSet::one ? nullptr
-                                                             : "Several pens have colours of their own.");
+                                                             : "Each of several pens has its own colour.");
         changed |= colour_row(setting::ink, settings.ink, kBlack);
     }
     changed |= colour_row(setting::paper, settings.paper, kWhite);

@@ -72,15 +72,16 @@ PlayerWish draw_player_bar(PlayedFilm& film, const std::string& words, FilmKind&
             wish = PlayerWish::other_film;
         }
         tip_above(
-            "growth: from a few dots to all, which then settle.\n"
-            "levels: one level of tiles after the other.\n"
-            "zoom: into the middle, with ever more dots.\nplot: stroke by stroke, as a machine draws it.");
+            "growth: from a few dots to all, which then relax.\n"
+            "levels: one level of tiles after another.\n"
+            "zoom: into the middle, with ever more dots.\n"
+            "plot: stroke by stroke, as a machine draws it.");
         ImGui::SameLine();
     }
     const bool pressed =
         ImGui::Button(film.running ? "Pause##play" : "Play##play", {button_width("Pause"), 0});
     note_place("Play film");
-    tip_above(with_keys("Lets the film go on, or rest.", Action::play).c_str());
+    tip_above(with_keys("Play or pause.", Action::play).c_str());
     if (pressed && film.running)
         film.running = false;
     else if (pressed)
@@ -94,7 +95,7 @@ PlayerWish draw_player_bar(PlayedFilm& film, const std::string& words, FilmKind&
             film.running = false;
         }
         note_place("Moment");
-        tip_above("The moment of the film that is shown.");
+        tip_above("Position in the film.");
         ImGui::SameLine();
     }
     if (has_words) {
@@ -108,12 +109,12 @@ PlayerWish draw_player_bar(PlayedFilm& film, const std::string& words, FilmKind&
         int takes = known == kSeconds.end() ? 2 : static_cast<int>(known - kSeconds.begin());
         if (noted_combo("Takes", takes, kSecondsShown, seconds_width))
             film.seconds = kSeconds[static_cast<std::size_t>(takes)];
-        tip_above("How long the film takes from its beginning to its end.");
+        tip_above("Length of the film.");
         ImGui::SameLine();
     }
     if (has_save) {
         if (noted_button("Save film...")) wish = PlayerWish::save;
-        tip_above("Saves it as an animated WebP file, which web browsers play.");
+        tip_above("Saves an animated WebP, which web browsers play.");
         ImGui::SameLine();
     }
     if (noted_button("Close")) wish = PlayerWish::close;

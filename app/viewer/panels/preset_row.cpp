@@ -2,6 +2,8 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cstddef>
 #include <exception>
 #include <string>
@@ -14,7 +16,7 @@ namespace {
 // In heights of a line of text.
 constexpr EntryBox kPresetBox{6, 4};
 constexpr float kListWidth = 30;
-constexpr EntryBox kStripBox{5, 3.6f};
+constexpr EntryBox kStripBox{5.5f, 3.6f};
 
 }  // namespace
 
@@ -34,16 +36,23 @@ static EntryPicture picture_of(const Preset& preset, const EntryBox& box, const 
     return next_entry_shows(box) ? preview(with_preset(preset.settings.drawing, now)) : EntryPicture{};
 }
 
+// The built-in "fine-pen" as "Fine pen"; a person's own as typed.
+static std::string shown_name(const Preset& preset) {
+    if (preset.about.empty()) return preset.name;
+    std::string name = preset.name;
+    std::ranges::replace(name, '-', ' ');
+    name[0] = static_cast<char>(std::toupper(name[0]));
+    return name;
+}
+
 void PresetRow::draw(const SavedSettings& now, const std::function<void(const SavedSettings&)>& take,
                      const Preview& preview, Banner& banner) {
     if (presets_.empty()) read(banner);
     KeptThings things{
         .label = "Preset",
-        .tip =
-            "All settings at once, but for the picture's own crop, turns and exposure. One undo brings "
-            "yours back.",
+        .tip = "Sets everything except crop, rotation and exposure. One undo restores yours.",
         .what = "preset",
-        .present = "as set below",
+        .present = "Custom",
         .keep = "Save these settings as...",
         .may_keep = !folder_.empty(),
         .take = [&](int which) { take(presets_[static_cast<std::size_t>(which)].settings); },
@@ -56,11 +65,11 @@ void PresetRow::draw(const SavedSettings& now, const std::function<void(const Sa
         if (with_preset(preset.settings.drawing, now.drawing) == now.drawing &&
             preset.settings.saving == now.saving)
             things.chosen = static_cast<int>(things.all.size());
-        things.all.push_back({preset.name, preset.about.empty()});
+        things.all.push_back({shown_name(preset), preset.about.empty()});
     }
     things.draw = [&](int which, bool marked) {
         const Preset& preset = presets_[static_cast<std::size_t>(which)];
-        return picture_entry(preset.name, preset.about.empty() ? "your own" : preset.about, marked,
+        return picture_entry(shown_name(preset), preset.about.empty() ? "your preset" : preset.about, marked,
                              picture_of(preset, kPresetBox, now.drawing, preview), kPresetBox);
     };
     row_.draw(things, banner);
@@ -75,9 +84,9 @@ void PresetRow::draw_strip(const SavedSettings& now, const std::function<void(co
         const Preset& preset = presets_[static_cast<std::size_t>(i)];
         if (i > 0) ImGui::SameLine();
         const EntryPicture picture = picture_of(preset, kStripBox, now.drawing, preview);
-        if (strip_entry("Style " + preset.name, preset.name, i == chosen, picture, kStripBox))
+        if (strip_entry("Style " + preset.name, shown_name(preset), i == chosen, picture, kStripBox))
             take(preset.settings);
-        tip(preset.about.empty() ? "Your own preset." : (preset.about + ".").c_str());
+        tip(preset.about.empty() ? "Your preset." : (preset.about + ".").c_str());
     }
     ImGui::EndChild();
 }

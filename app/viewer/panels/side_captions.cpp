@@ -36,7 +36,7 @@ void draw_caption(const ComparedPanes& compared, const Pane& pane, float left, f
     const bool figure8 = request.drawing.placer == PlacerKind::figure8;
     push_title_font();
     draw_line(fmt::format("{}{}{}", short_tile_name(request.drawing.tile), figure8 ? ", Figure 8" : "",
-                          is_saved ? " - this side is saved" : ""),
+                          is_saved ? " (exported)" : ""),
               ThemeColour::text);
     pop_title_font();
     draw_line(

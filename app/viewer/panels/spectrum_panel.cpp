@@ -56,7 +56,7 @@ void frequency_labels(const PlotArea& area, double least) {
                 fmt::format("{:.0f}", f));
     }
     text_at({(area.min.x + area.max.x) / 2, area.max.y + 3 * pixel() + line}, 0.5f,
-            "waves per mean distance of dots");
+            "cycles per mean dot spacing");
 }
 
 void draw_picture(ImTextureID picture) {
@@ -81,7 +81,7 @@ void draw_curve(const std::vector<Ring>& rings) {
                       area.max.y - (area.max.y - area.min.y) * static_cast<float>(y)};
     };
     text_at({area.min.x - 22 * pixel(), area.min.y - 1.3f * ImGui::GetTextLineHeight()}, 0,
-            "power (1: dots thrown at random)");
+            "power (1 = random dots)");
     for (int power = 0; power <= static_cast<int>(kHighestPower); ++power) {
         const ImVec2 left = place(0, power), right = place(kHighestFrequency, power);
         list->AddLine(left, right, colour_of(power == 1 ? ThemeColour::quiet : ThemeColour::line), pixel());
@@ -100,7 +100,7 @@ void draw_repetition(const ViewAnalysis& analysis) {
     if (!analysis.periodicity) {
         ImGui::TextUnformatted("Periodicity: too few tiles in view");
         note_place("Periodicity");
-        hint("Zoom out or ask for more dots: two tiles side by side are needed to see one repeat.");
+        hint("Zoom out or use more dots: a repeat shows only with two tiles side by side.");
         return;
     }
     const double value = std::clamp(analysis.periodicity->value, 0.0, 1.0);
@@ -115,25 +115,25 @@ void draw_repetition(const ViewAnalysis& analysis) {
     const float filled = std::max(height, width * static_cast<float>(value));
     list->AddRectFilled(corner, {corner.x + filled, corner.y + height},
                         colour_of(value >= 0.5 ? ThemeColour::warning : ThemeColour::accent), height / 2);
-    hint(fmt::format("{:.0f} of 100 dots meet another dot when the drawing is moved by whole tiles; 0 is "
-                     "chance, 100 a wallpaper.",
+    hint(fmt::format("{:.0f} of 100 dots meet another when the drawing is shifted by whole tiles; 0 = "
+                     "random, 100 = repeats exactly.",
                      100 * value)
              .c_str());
 }
 
 void draw_distances(const NearestSummary& nearest) {
     ImGui::TextUnformatted(
-        fmt::format("To the nearest dot: least {:.2f}, mean {:.2f}", nearest.minimum, nearest.mean).c_str());
+        fmt::format("Nearest dot: least {:.2f}, mean {:.2f}", nearest.minimum, nearest.mean).c_str());
     note_place("Nearest distances");
-    hint("1 is the honeycomb, the widest spacing there is; dots thrown at random have least 0, mean 0.47.");
+    hint("1 = honeycomb, the widest spacing possible; random dots have least 0, mean 0.47.");
 }
 
 }  // namespace
 
 std::string spots_in_words(const std::optional<double>& periodicity) {
     constexpr double kRepeats = 0.5;
-    const std::string spots = "Orange spots are stronger than chance makes them: ";
-    if (!periodicity) return spots + "some are in every tile, and the same tile side by side makes more.";
+    const std::string spots = "Orange spots are stronger than chance: ";
+    if (!periodicity) return spots + "some are in every tile, and repeated tiles make more.";
     if (*periodicity >= kRepeats) return spots + "here their lattice is the tile, which repeats.";
     return spots + "here they are in the tile itself, and its copies make no pattern.";
 }
@@ -150,27 +150,27 @@ bool draw_spectrum_panel(const SpectrumInfo& info) {
         return true;
     }
     if (analysis.dots < 2) {
-        hint("There are no dots on screen to measure.");
+        hint("No dots on screen to measure.");
         return true;
     }
-    hint(fmt::format("Of the {} dots {}.", grouped(analysis.dots),
+    hint(fmt::format("Measured: {} dots {}.", grouped(analysis.dots),
                      analysis.all ? "on screen" : "in the middle of the screen")
              .c_str());
     draw_repetition(analysis);
     draw_picture(info.picture);
     const std::optional<double> periodicity =
         analysis.periodicity ? std::optional(analysis.periodicity->value) : std::nullopt;
-    hint(("The waves in the dots, slow ones in the middle. A dark disc with an even ring is good: no "
-          "clumps. " +
+    hint(("The spectrum of the dots, low frequencies in the middle. A dark disc with an even ring is good: "
+          "no clumps. " +
           spots_in_words(periodicity) +
           " A bright cross in the middle is the photograph: an even grey has none.")
              .c_str());
     draw_curve(analysis.radial_power);
-    hint(fmt::format("The same, averaged round the middle. Below half a wave: {:.2f}; the nearer to 0, the "
+    hint(fmt::format("The same, averaged around the middle. Below half a cycle: {:.2f}; the closer to 0, the "
                      "smoother an even grey looks.",
                      analysis.low_frequency_power)
              .c_str());
-    hint(fmt::format("Strongest single wave: {:.0f} times random.", analysis.peaks.highest_bin).c_str());
+    hint(fmt::format("Strongest frequency: {:.0f} times random.", analysis.peaks.highest_bin).c_str());
     draw_distances(analysis.nearest);
     return true;
 }

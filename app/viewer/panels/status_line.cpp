@@ -44,25 +44,22 @@ std::string paper_in_words(const PageSize& page, LengthUnit unit) {
 std::vector<StatusItem> status_items(const StatusInfo& info) {
     std::vector<StatusItem> items{{dots_in_words(info), 6}};
     if (!info.paper.empty()) items.push_back({info.paper, 3});
-    if (info.zoom > 0)
-        items.push_back(
-            {info.zoom < 10 ? fmt::format("{:.0f} %", info.zoom * 100) : in_round_words(info.zoom) + " times",
-             5});
+    if (info.zoom > 0) items.push_back({in_round_words(100 * info.zoom) + " %", 5});
     if (!info.plotting.empty()) items.push_back({info.plotting, 4});
     const bool settles = info.steps < info.all_steps;
     const bool is_long = info.placing_seconds > kLongPlacing;
     if (is_long && !settles)
         items.push_back(
             {info.placed_share
-                 ? fmt::format("placing, {:.0f} %, Escape stops it", std::min(100 * *info.placed_share, 99.0))
-                 : fmt::format("placing, {:.0f} s, Escape stops it", info.placing_seconds),
+                 ? fmt::format("Placing {:.0f} % (Esc stops)", std::min(100 * *info.placed_share, 99.0))
+                 : fmt::format("Placing {:.0f} s (Esc stops)", info.placing_seconds),
              7});
     if (settles)
-        items.push_back({fmt::format("settling, step {} of {}{}", info.steps, info.all_steps,
-                                     is_long ? ", Escape stops it" : ""),
-                         7});
+        items.push_back(
+            {fmt::format("Relaxing {} of {}{}", info.steps, info.all_steps, is_long ? " (Esc stops)" : ""),
+             7});
     else if (info.preview)
-        items.push_back({"preview", 7});
+        items.push_back({"Preview", 7});
     if (info.frames_per_second > 0) items.push_back({fmt::format("{:.0f} fps", info.frames_per_second), 1});
     if (!info.method) return items;
     items.push_back({"scale " + in_round_words(info.scale), 4});

@@ -155,23 +155,21 @@ void draw_tile_panel(const TileView& tile, TilePanelState& state) {
                     .neutral = all,
                     .format = "%.0f",
                     .grouped = true,
-                    .tip = "Takes the tile's points away, those of the last ranks first."}))
+                    .tip = "Hides the tile's points, those of the last ranks first."}))
         state.shown = shown >= count ? SIZE_MAX : shown;
     if (tile.next_kind.size() > 1) {
-        hint(
-            fmt::format("{}: kind 0 of {}, each of {} points, dark ones come first. Below, each kind as tile "
-                        "boundaries show it, and which kinds lie on its quarters, half as large.",
-                        short_tile_name(tile.name), tile.next_kind.size(), grouped(count))
-                .c_str());
+        hint(fmt::format("{}: kind 0 of {}, {} points each, dark ones first. Below: each kind as tile "
+                         "boundaries show it, and the half-size kinds on its quarters.",
+                         short_tile_name(tile.name), tile.next_kind.size(), grouped(count))
+                 .c_str());
         draw_kinds(tile.next_kind, unit);
         return;
     }
     const bool turned =
         std::ranges::any_of(tile.rule.child, [](Orientation g) { return g != Orientation{}; });
-    hint(fmt::format("{}: {} points, dark ones come first. Half as large, the tile lies on each quarter of "
-                     "itself{}.",
+    hint(fmt::format("{}: {} points, dark ones first. A half-size copy lies on each quarter{}.",
                      short_tile_name(tile.name), grouped(count),
-                     turned ? ", turned as the letter F there" : "; every F is upright, so it repeats")
+                     turned ? ", turned as the letter F shows" : "; every F is upright, so it repeats")
              .c_str());
 }
 

@@ -29,7 +29,9 @@ bool draw_automatic(DrawingSettings& settings) {
     const bool automatic = settings.automatic_tone;
     const bool is_true = is_true_light(settings);
     double strength = is_true ? 0 : settings.tone_strength;
-    const char* const format = is_true || (automatic && strength == 0) ? "true" : automatic ? nullptr : "own";
+    const char* const format = is_true || (automatic && strength == 0) ? "true"
+                               : automatic                             ? nullptr
+                                                                       : "custom";
     if (!slider_row(setting::tone_strength, strength, {.format = format})) return false;
     Tone& tone = settings.tone;
     tone = without_curve(tone);
@@ -110,8 +112,8 @@ bool draw_photograph(float& opacity) {
     if (!slider_row("Photo beneath", percent,
                     {.max = 100,
                      .format = "%.0f %%",
-                     .tip = "How much of the photograph shows through under the dots; holding C shows all of "
-                            "it. Files have none of it."}))
+                     .tip = "How much of the photograph shows under the dots; hold C to see all of it. "
+                            "Exports leave it out."}))
         return false;
     opacity = static_cast<float>(percent / 100);
     return true;

@@ -34,7 +34,7 @@ std::optional<std::size_t> draw_variations(const std::array<Variation, 9>& varia
             clicked = i;
     }
     ImGui::SetCursorScreenPos({first.x, first.y + kARow * height});
-    hint("Click one to go on from it; the middle one or Escape shows the drawing again.");
+    hint("Click one to use it; the middle one or Escape returns to the drawing.");
     ImGui::End();
     ImGui::PopStyleColor();
     ImGui::PopStyleVar(2);

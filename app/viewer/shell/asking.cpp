@@ -77,10 +77,9 @@ std::optional<FileQuestion::Answer> FileQuestion::draw(const IsBoth& is_both) {
     const std::filesystem::path file = offered_.front();
     std::optional<int> answer = 0;
     if (!is_plain_)
-        answer = dapple::ask(
-            "A drawing of Dapple's",
-            printable(file.filename().native()) + " is a picture, and holds the settings it was drawn with.",
-            {{"Take its settings"}, {"Open as a picture"}});
+        answer = dapple::ask("A Dapple drawing",
+                             printable(file.filename().native()) + " was made with Dapple. Use its settings?",
+                             {{"Use its settings"}, {"Open as a picture"}});
     if (!answer) return std::nullopt;
     offered_.clear();
     return *answer == 2 ? std::nullopt : std::optional(Answer{file, *answer == 1});
@@ -89,7 +88,7 @@ std::optional<FileQuestion::Answer> FileQuestion::draw(const IsBoth& is_both) {
 void FileQuestion::draw_several(const IsBoth& is_both) {
     bool open = true;
     std::vector<std::filesystem::path> chosen;
-    if (const Dialog dialog("Which one is to be opened?", open); dialog) {
+    if (const Dialog dialog("Open which file?", open); dialog) {
         const float line = ImGui::GetTextLineHeight(), air = 2 * ImGui::GetStyle().WindowPadding.y;
         const float all = static_cast<float>(offered_.size()) * ImGui::GetTextLineHeightWithSpacing() + air;
         const ImVec2 size{kAnswersWidth * line, std::min(all, kAnswersHeight * ImGui::GetIO().DisplaySize.y)};
@@ -113,21 +112,21 @@ void FileQuestion::draw_several(const IsBoth& is_both) {
 }
 
 std::optional<ChangesAnswer> ask_about_changes(const std::string& name) {
-    return ask_about_loss("Save the changes?", name + " has changes that are not saved.",
+    return ask_about_loss("Unsaved changes", "Save your drawing of " + name + "? (The photo is not changed.)",
                           {"Save", "As a project.   Return", Key::enter},
-                          {"Discard", "They are lost.   D", Key::d});
+                          {"Discard", "The changes are lost.   D", Key::d});
 }
 
 std::optional<ChangesAnswer> ask_about_saving(const std::string& name) {
-    return ask_about_loss("Quit while a file is being saved?", name + " is not completely written yet.",
-                          {"Quit once it is saved", "Return", Key::enter},
-                          {"Quit without it", "What was there before stays.   D", Key::d});
+    return ask_about_loss("Quit while saving a file?", name + " is still being written.",
+                          {"Quit when saved", "Return", Key::enter},
+                          {"Quit now", "The old file is kept.   D", Key::d});
 }
 
 std::optional<ChangesAnswer> ask_about_kept(const std::string& name) {
-    return ask_about_loss("Bring the drawing back?",
-                          "Dapple ended before the drawing of " + name + " was saved.",
-                          {"Bring it back", "Return", Key::enter}, {"Discard", "It is lost.   D", Key::d});
+    return ask_about_loss("Unsaved drawing",
+                          "Dapple closed unexpectedly. Restore your drawing of " + name + "?",
+                          {"Restore", "Return", Key::enter}, {"Discard", "The drawing is lost.   D", Key::d});
 }
 
 Asking::Asking() : desktop_dialog_(&Window::wake) {}

@@ -149,14 +149,14 @@ std::optional<fs::path> FileDialog::accept(const fs::path& chosen, const std::st
     }
     if (saves() && path.has_filename() && !path.has_extension()) path += question_.formats[format_].ending;
     if (!saves() && !is_there(path)) {
-        trouble_ = "There is no such file.";
+        trouble_ = "No such file.";
     } else if (!has_folder) {
-        trouble_ = "There is no such folder.";
+        trouble_ = "No such folder.";
     } else if (saves() && !format_of(question_, path)) {
-        trouble_ = has_formats() ? "No format has that ending; choose one above."
+        trouble_ = has_formats() ? "Unknown file type; choose one above."
                                  : "The name must end in " + endings_.front() + ".";
     } else if (!refusal.empty()) {
-        trouble_ = "That cannot be written; the reason is shown above.";
+        trouble_ = "Cannot be written; see the reason above.";
     } else if (const auto there = files_there(path); saves() && !there.empty() && path != asked) {
         replaces_ = path;
         trouble_ = printable(there.front().filename().native()) +
@@ -185,7 +185,8 @@ std::optional<fs::path> FileDialog::draw_entries(float height) {
     entry_keys_.begin("entries", low, {low.x + ImGui::GetContentRegionAvail().x, low.y + height});
     ImGui::BeginChild("entries", {0, height}, true);
     const auto draw_entry = [&](const FolderEntry& entry) {
-        const std::string label = printable(entry.name) + (entry.folder ? "/" : "");
+        const std::string label =
+            entry.name == ".." ? "Parent folder" : printable(entry.name) + (entry.folder ? "/" : "");
         if (entry.folder) push_title_font();
         const bool clicked = text_entry(label, entry_keys_.next_is_marked());
         if (entry.folder) pop_title_font();
@@ -204,8 +205,7 @@ void FileDialog::draw_formats() {
     std::vector<const char*> names;
     for (const FileFormat& format : question_.formats) names.push_back(format.name);
     int chosen = static_cast<int>(format_);
-    if (!segmented_row("Format", chosen, names, "What kind of file is written; its name ends accordingly."))
-        return;
+    if (!segmented_row("Format", chosen, names, "File type; the name's ending follows.")) return;
     format_ = static_cast<std::size_t>(chosen);
     if (path.filename().empty()) path /= "drawing";
     typed_ = path.replace_extension(question_.formats[format_].ending).string();
@@ -234,11 +234,11 @@ bool FileDialog::draw_buttons(const std::string& refusal, bool escape) {
         note_place(asks ? "Replace" : "Accept");
     }
     ImGui::SameLine();
-    if (key_button(asks ? "Keep" : "Cancel") || escape) {
+    if (key_button("Cancel") || escape) {
         open_ = asks;
         if (asks) read_typed(), type_on();
     }
-    note_place(asks ? "Keep" : "Cancel");
+    note_place("Cancel");
     if (trouble_.empty()) return accepted;
     ImGui::SameLine();
     ImGui::PushStyleColor(ImGuiCol_Text, colour_of(ThemeColour::warning));

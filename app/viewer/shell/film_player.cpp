@@ -108,7 +108,7 @@ std::string FilmPlayer::moment() const {
         case FilmKind::plot:
             break;
     }
-    if (!plot_.film()) return "finding the way ...";
+    if (!plot_.film()) return "finding the route ...";
     const double all = plot_.film()->total_seconds;
     const auto clock = [](double seconds) {
         const auto whole = static_cast<long>(seconds);

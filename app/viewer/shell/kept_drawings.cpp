@@ -61,7 +61,7 @@ fs::path KeptDrawings::own_file() {
     const fs::path own = folder_ / fmt::format("{}-{}{}", seconds, ::getpid(), kProjectEnding);
     lock_ = Descriptor(::open(lock_of(own).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600));
     if (!lock_ || ::flock(lock_.get(), LOCK_EX | LOCK_NB) != 0)
-        throw std::runtime_error(folder_.string() + ": drawings that are not saved cannot be kept there");
+        throw std::runtime_error(folder_.string() + ": unsaved drawings cannot be kept there");
     return own_ = own;
 }
 
@@ -103,7 +103,7 @@ void KeptDrawings::keep(Document& document) {
         document.session()->keep(own);
         if (!brought_back_.empty()) remove_kept(std::exchange(brought_back_, {}));
     } catch (const std::exception& error) {  // no reason to stop anybody's work
-        std::fprintf(stderr, "dapple: %s; changes that are not saved are not kept\n", error.what());
+        std::fprintf(stderr, "dapple: %s; unsaved changes are not kept\n", error.what());
     }
 }
 

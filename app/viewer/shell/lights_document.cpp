@@ -150,8 +150,7 @@ void LightsDocument::draw_panels(const Frame& frame) {
     begin_side_panel({frame.canvas.x, 0}, frame.panels,
                      {session_.name(), size, {whether(session_.can_undo()), whether(session_.can_redo())}},
                      frame.act);
-    if (frame.can_go_back && wide_button("Back to the drawing", "It is as it was left."))
-        frame.act(Action::back);
+    if (frame.can_go_back && wide_button("Back to the drawing", "As you left it.")) frame.act(Action::back);
     std::optional<LightsInfo> info;
     if (session_.samples().found) info = session_.samples().info;
     draw_lights_panel(session_.settings, info,

@@ -97,7 +97,7 @@ void read_or_move_aside(const fs::path& file, Settings& settings, std::optional<
         const fs::path aside = fs::path(file).concat(".broken");
         std::error_code failed;
         fs::rename(file, aside, failed);
-        trouble = fmt::format("{}; the usual values are used instead, and the file {}", error.what(),
+        trouble = fmt::format("{}; default values are used, and the file {}", error.what(),
                               failed ? "stays as it is" : "was moved to " + printable(aside.native()));
     }
 }
@@ -162,8 +162,7 @@ Memory::Memory(const fs::path& config_folder, const fs::path& state_folder)
     start_ = StartMark(state_folder);
     if (!start_.was_left() || state.view == KeptView{}) return;
     state.view = {};
-    trouble_ =
-        "Dapple ended before it could draw with the settings of last time, so these are the usual ones";
+    trouble_ = "Dapple closed before it could draw with the last settings; these are the defaults";
 }
 
 void Memory::opened(const fs::path& file) {

@@ -163,7 +163,7 @@ void Shell::go_back(std::unique_ptr<Document>& document) {
     if (before_)
         document = std::move(before_);
     else
-        document->say("There is no drawing to go back to: the map was opened by itself");
+        document->say("No drawing to go back to: the map was opened by itself");
 }
 
 bool Shell::may_close(std::unique_ptr<Document>& document) {
@@ -352,7 +352,7 @@ void Shell::open_again(const std::filesystem::path& file, Document& document) {
     if (std::filesystem::exists(file, ignored)) return take_files({file}, document);
     memory_.forget(file);
     save_memory();
-    document.say(file.string() + ": is not there any more");
+    document.say(file.string() + ": no longer exists");
 }
 
 void Shell::draw_file_question(Document& document) {

@@ -153,15 +153,15 @@ std::vector<std::string> origin_in_words(const DotOrigin& dot, const PlacedWith&
     if (dot.level == 0 || with.placer == PlacerKind::figure8)
         lines.push_back(fmt::format("In the order of the tile's {} points", born));
     else
-        lines.push_back(fmt::format("In the order of the {} points that dividing a tile adds", born));
+        lines.push_back(fmt::format("In the order of the {} points that a division adds", born));
     if (dot.tile && with.placer == PlacerKind::exact) lines.push_back(turn_in_words(dot.tile->orientation));
     lines.push_back(fmt::format("Appears above scale {}; drawn at {}", scale_in_words(dot.critical),
                                 scale_in_words(scale)));
     lines.push_back(
         fmt::format("Density {:.3f}{}", dot.density, dot.relaxed ? " where it was placed" : " there"));
     if (dot.relaxed)
-        lines.emplace_back(dot.tile ? "Relaxing has moved it from its place in the tile"
-                                    : "Relaxing has moved it: its tile is not known");
+        lines.emplace_back(dot.tile ? "Moved from its place in the tile by relaxation"
+                                    : "Moved by relaxation; tile unknown");
     return lines;
 }
 

@@ -83,8 +83,8 @@ std::string sentence_of(Refusal refusal, const SliderRange& range) {
     const std::string least = text_of(range.hard_min, range);
     if (refusal == kTooLittle)
         return (range.hard_min > 0 && least == "0" ? "Over " : "At least ") + least + ".";
-    if (range.typed == TypedKind::length) return "That is no length; write 210, 21cm or 8in.";
-    return fmt::format("That is not a {}number; write 40000, 40k or 1.5M.",
+    if (range.typed == TypedKind::length) return "Not a length; write 210, 21cm or 8in.";
+    return fmt::format("Not a {}number; write 40000, 40k or 1.5M.",
                        range.typed == TypedKind::count ? "whole " : "");
 }
 

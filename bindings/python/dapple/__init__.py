@@ -62,7 +62,7 @@ class Advice:
     """What someone who is about to plot or print a drawing should know of it."""
 
     kind: str  #: "overlap"
-    text: str  #: "40 % of the dots run into others; fewer dots part them"
+    text: str  #: "40 % of the dots will overlap others. Use fewer dots"
     amount: float  #: that it speaks of: dots, millimetres or dots per inch; 0: none
 
 
@@ -72,7 +72,7 @@ class Plan:
 
     dots: int  #: exactly, or about so many where none are asked for
     lowered: bool  #: more were asked for than there may be
-    steps: int  #: in which they settle
+    steps: int  #: of relaxing
     page_mm: tuple[float, float]  #: width and height, margins and all
     radius_mm: float  #: of all dots, or of the largest
     pens: list[Pen]  #: one: the ink

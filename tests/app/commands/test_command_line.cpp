@@ -110,7 +110,7 @@ TEST_CASE(
     const Scene scene;
     scene.must_fail("--tile missing.tile", "missing.tile: no such tile or tile file");
     scene.must_fail("--tile 1,2/17", "17 points");
-    scene.must_fail("--tile paper16 render -o " + scene("s.svg"), "--tile: belongs to the window");
+    scene.must_fail("--tile paper16 render -o " + scene("s.svg"), "--tile: applies to the window");
     CHECK_FALSE(std::filesystem::exists(scene("s.svg")));
 }
 
@@ -135,7 +135,7 @@ TEST_CASE("what needs more memory than there is is refused before it begins, unl
     const std::string out = " -o " + scene("x");
     scene.must_fail("render" + out + ".svg --order shortest --dots 5G", "of memory, and ");
     scene.must_fail("render" + out + ".svg --style line --dots 5G",
-                    "available; choose fewer, or say --memory ");
+                    "available; choose fewer, or try with --memory ");
     scene.must_fail("analyse" + out + ".json --dots 2147483648",
                     "analysing 2,100,000,000 dots would need about ");
     scene.must_fail("render" + out + ".svg --order space --dots 100k --memory 1M",
@@ -198,7 +198,7 @@ TEST_CASE("option values that cannot be are refused with the option's name") {
           Wrong{"--region 150,0,60x10", "--region: the region reaches to 210"},
           Wrong{"--region 0,0,9x9 --sheet 1,1/2x2", "--region: cannot be given"},
           Wrong{"--ink blue", "--ink: blue: not a colour"},
-          Wrong{"--scale 1e-300", "--scale: no dots come out at 1e-300; give a higher"},
+          Wrong{"--scale 1e-300", "--scale: 1e-300 gives no dots; give a higher"},
           Wrong{"--width 1e-9", "--width: 1e-9 is not possible; give a length in mm, cm, in or pt from"},
           Wrong{"--margin 99.999", "--margin: 99.999 mm on either side leave no room"},
           Wrong{"--region 0,0,1e-9x1e-9", "--region: 1e-09 x 1e-09 mm is too small"},
@@ -206,7 +206,7 @@ TEST_CASE("option values that cannot be are refused with the option's name") {
           Wrong{"--crop 0%,0%,1e-9%x100%", "--crop: the part is"},
           Wrong{"--dot-shape point --dot-radius 1", "--dot-radius: a point is as large as the pen makes it"},
           Wrong{"--dot-radius 1e6", "--dot-radius: 1e6 is not possible"},
-          Wrong{"--margin 0 --dot-radius 900..1000", "--dot-radius: no dots come out, as they are too large"},
+          Wrong{"--margin 0 --dot-radius 900..1000", "--dot-radius: the dots are too large"},
           Wrong{"--nonsense", "--nonsense"}}) {
         scene.must_fail(from + wrong.option, wrong.words);
     }
@@ -216,7 +216,7 @@ TEST_CASE("option values that cannot be are refused with the option's name") {
         "render " + scene("cat.png") + " -o " + scene("new.png") + " --width 100000 --dpi 2400",
         "--dpi: the page would be 9448819 x 6299213 pixels, and the most is 1000000 a side and 4 gigapixels");
     scene.must_fail("render " + scene("cat.png") + " -o " + scene("new.png") + " --dpi 100000",
-                    "choose 9800 dots per inch or less, a smaller page");
+                    "choose 9800 pixels per inch or less, a smaller page");
 }
 
 TEST_CASE("a command line that is wrong ends with 2, what cannot be done with 1, and what is done with 0") {
@@ -260,7 +260,7 @@ TEST_CASE("an option that has no say in the drawing is refused, with what it is 
     scene.must_fail(from + scene("new.svg") + " --paper '#fff'",
                     "--paper: shows in an SVG or a PDF with --background only");
     scene.must_fail(from + scene("new.svg") + " --placer figure8 --scale 100 --ranking energy",
-                    "--ranking: the figure8 placer has an order of its own");
+                    "--ranking: does not apply to the figure8 placer");
     scene.must_fail(from + scene("new.svg") + " --order priority --relax 3",
                     "--order: priority: the first dots");
     CHECK_FALSE(std::filesystem::exists(scene("new.svg")));

@@ -105,7 +105,7 @@ TEST_CASE("dapple lights writes CSV, pbrt, Mitsuba and a picture, and takes all 
           csv);
     check_refused(run_dapple("lights " + quoted(folder / "map.hdr") + " --radiance point -o " +
                              quoted(folder / "s.csv")),
-                  "--radiance: point is for samples drawn at random; give --position random too");
+                  "--radiance: point applies to random samples only; give --position random too");
     const std::string pbrt = run("s.pbrt", "--placer figure8");
     CHECK(pbrt.find("LightSource \"distant\"") != pbrt.npos);
     CHECK(pbrt.find("convention pbrt") != pbrt.npos);
@@ -195,7 +195,7 @@ TEST_CASE("options of dapple lights that cannot be are refused in one sentence")
     for (const std::string option :
          {"-n 100", "--seed 3", "--convention usd", "--threads 1", "--placer exact"})
         check_refused(run_dapple("lights --compare -o " + quoted(folder / "x.html") + " " + option),
-                      "is not for --compare");
+                      "cannot be used with --compare");
     check_refused(run_dapple("lights --convention usd"), "--convention");
     check_refused(run("--compare"), ".html");
     check_refused(run_dapple("lights -o " + quoted(folder / "x.txt")), ".json");
@@ -233,10 +233,10 @@ TEST_CASE("light below 0 is refused or taken as none, and a picture whose light 
     write_picture(folder / "map.exr", test_map(-0.5f));
     const std::string map = quoted(folder / "map.exr"), output = " -n 50 -o " + quoted(folder / "s.json");
     check_refused(run_dapple("lights " + map + output),
-                  "light is below 0 at 1 pixel; repair the map first, or give --clamp to take it as none");
+                  "light is below 0 at 1 pixel; repair the map first, or give --clamp to set it to 0");
     const Outcome clamped = run_dapple("lights " + map + " --clamp" + output);
     CHECK(clamped.status == 0);
-    CHECK(clamped.err.find("light below 0 at 1 pixel is taken as none") != clamped.err.npos);
+    CHECK(clamped.err.find("light below 0 at 1 pixel was set to 0") != clamped.err.npos);
     CHECK(json::parse(text_of(folder / "s.json"))["samples"].size() == 50);
     CHECK(run_dapple("lights " + map + " --clamp" + output).err.find("white") == clamped.err.npos);
 
@@ -293,7 +293,7 @@ TEST_CASE("a map of one pixel is an even sky") {
     const Outcome outcome =
         run_dapple("lights " + quoted(folder / "sky.exr") + " -n 100 -o " + quoted(folder / "s.json"));
     CHECK_MESSAGE(outcome.status == 0, outcome.err);
-    CHECK(outcome.err.find("its one pixel is taken as even light from all around") != std::string::npos);
+    CHECK(outcome.err.find("its one pixel is used as even light from all around") != std::string::npos);
     const json file = json::parse(text_of(folder / "s.json"));
     CHECK(file["total_flux"][0].get<double>() == doctest::Approx(8 * std::acos(-1.0)));
     for (const json& sample : file["samples"])

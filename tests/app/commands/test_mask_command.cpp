@@ -88,14 +88,14 @@ TEST_CASE("masks that cannot be made are refused before anything is written") {
     scene.must_fail("mask", "--output is required");
     scene.must_fail("mask -o " + scene("m.svg"), "a mask is a PNG; let its name end in .png");
     scene.must_fail("mask --size 3" + to, "--size: 3 x 3 pixels: a mask's sides are 4 to 8192");
-    scene.must_fail("mask --size 64x" + to, "--size: 64x is no size; give one such as 256, 320x200");
-    scene.must_fail("mask --size 64,64" + to, "64,64 is no size");
-    scene.must_fail("mask --size 64x64x64x64" + to, "is no size");
+    scene.must_fail("mask --size 64x" + to, "--size: 64x is not a size; give one such as 256, 320x200");
+    scene.must_fail("mask --size 64,64" + to, "64,64 is not a size");
+    scene.must_fail("mask --size 64x64x64x64" + to, "is not a size");
     scene.must_fail("mask --bits 12" + to, "--bits: 12 is not possible; give 8 or 16");
     scene.must_fail("mask --gain 9" + to, "--gain");
     scene.must_fail("mask --gain nan" + to, "--gain");
     scene.must_fail("mask --from tile --sigma 2" + to, "applies to --from clusters only");
-    scene.must_fail("mask --from tile --size 32x64" + to, "a mask from a tile is a square");
+    scene.must_fail("mask --from tile --size 32x64" + to, "a mask from a tile is square");
     scene.must_fail("mask --tile paper16" + to, "applies to --from tile only");
     scene.must_fail("mask --slice-sigma 2" + to, "applies to several slices only");
     scene.must_fail("mask -o " + scene("none/m.png"), "none");

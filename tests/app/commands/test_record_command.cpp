@@ -112,7 +112,7 @@ TEST_CASE("a film is drawn with masks, presets and another drawing's settings, a
         REQUIRE(made.status == 0);
         CHECK(read_picture(scene("film/frame-0002.png")).light.values ==
               read_picture(scene("a.png")).light.values);
-        CHECK((made.err.find("the film is of the whole page, not just of 5,6,7x8") != std::string::npos) ==
+        CHECK((made.err.find("the film shows the whole page, not just 5,6,7x8") != std::string::npos) ==
               region);
     }
     const std::string film = "record " + scene("cat.png") + " -o " + scene("a.webp");

@@ -64,7 +64,7 @@ TEST_CASE("a picture becomes an SVG of exactly as many circles as asked for, no 
     REQUIRE_MESSAGE(outcome.status == 0, outcome.err);
     CHECK(outcome.out.empty());
     CHECK(outcome.err.starts_with("3,000 dots, "));
-    CHECK(outcome.err.find(" on an AxiDraw V3: mostly pen raising and lowering\n") != std::string::npos);
+    CHECK(outcome.err.find(" on an AxiDraw V3: mostly raising and lowering the pen\n") != std::string::npos);
     const Svg svg = read_svg(scene("cat.svg"));
     CHECK(svg.circles().size() == 3000);
     CHECK(svg.places().size() == 3000);

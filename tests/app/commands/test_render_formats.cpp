@@ -258,8 +258,7 @@ TEST_CASE("a template of one's own is followed to the letter, and one that is wr
                     "--pen-down: the pen is up at 0 and down at 0, so it would never be lifted");
     scene.must_fail("render -o " + scene("b.nc") + " --gcode servo --pen-up 90",
                     "--pen-up: the pen is up at 90 and down at 90");
-    scene.must_fail("render -o " + scene("b.nc") + " --gcode plough",
-                    "plough is neither pen, servo nor laser");
+    scene.must_fail("render -o " + scene("b.nc") + " --gcode plough", "plough is not pen, servo, laser");
     scene.must_fail("render -o " + scene("b.svg") + " --gcode laser", "--gcode: applies to G-code only");
     scene.must_fail("render -o " + scene("b.nc") + " --feed 0", "--feed: 0 is not possible");
     scene.must_fail("render -o " + scene("b.plt") + " --ink '#f00'",
@@ -526,10 +525,12 @@ TEST_CASE("shapes and lines of several pens look alike in SVG, PDF and PNG, and 
         CHECK(light_difference(svg, png) < 0.1);
         CHECK(light_difference(svg, png, 2) > 0.12);
     }
-    scene.must_fail("render -o " + scene("x.svg") + " --registration", "--registration: is for several pens");
+    scene.must_fail("render -o " + scene("x.svg") + " --registration",
+                    "--registration: applies to several pens");
     scene.must_fail("render -o " + scene("x.svg") + " --pen-order listed",
-                    "--pen-order: is for several pens");
-    scene.must_fail("render -o " + scene("x.svg") + " --pen-ink opaque", "--pen-ink: is for several pens");
+                    "--pen-order: applies to several pens");
+    scene.must_fail("render -o " + scene("x.svg") + " --pen-ink opaque",
+                    "--pen-ink: applies to several pens");
     scene.must_fail("render -o " + scene("x.png") + " --pens cmyk --registration",
                     "--registration: applies to files for plotting only");
 }
@@ -702,7 +703,7 @@ TEST_CASE("one line goes through all dots, each once: in an SVG, in G-code, and 
         longest = std::max(longest, glm::distance(line[i - 1], line[i]));
     }
     CHECK(read_json(scene("a.json"))["strokes"]["longest_mm"] == doctest::Approx(longest).epsilon(0.01));
-    CHECK(told.err.find(" mm at most from dot to dot") != std::string::npos);
+    CHECK(told.err.find(" mm from dot to dot") != std::string::npos);
     CHECK(std::abs(length / 1000 - std::stod(told.err.substr(told.err.find("line of ") + 8))) < 0.06);
     // The shortest of all is about 0.7124 sqrt(n A) for dots all over a page (Applegate and others 2006), and
     // less where they crowd.

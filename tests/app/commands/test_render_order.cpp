@@ -101,7 +101,7 @@ TEST_CASE("on a terminal a bar shows how much is written, and then what a plotte
     CHECK(outcome.out.find(" mm wide; the pen moves ") != std::string::npos);
     const nlohmann::json preflight = read_json(scene("cat.json"))["preflight"];
     CHECK(outcome.out.find(preflight["over_the_edge"].dump() +
-                           " dots reach over the page's edge; a margin of ") != std::string::npos);
+                           " dots reach over the page's edge. Use automatic margins") != std::string::npos);
     CHECK(read_svg(scene("cat.svg")).circles().size() == 3000);
 }
 
@@ -112,7 +112,7 @@ TEST_CASE("what a plotter will make of a drawing is told without a terminal too,
         run_dapple(from + scene("a.svg") + " --tiles --machine grbl-laser --stats " + scene("s.json"));
     REQUIRE(laser.status == 0);
     CHECK(laser.err.find(" on a laser that runs Grbl: mostly ") != std::string::npos);
-    CHECK(laser.err.find("the layer \"% Tiles\" has lines") != std::string::npos);
+    CHECK(laser.err.find("will plot the layer \"% Tiles\"") != std::string::npos);
     const nlohmann::json stats = read_json(scene("s.json"));
     CHECK(stats["plotting"]["dots_s"] == 0);  // it follows the circles
     CHECK(stats["plotting"]["drawing_s"] > 100);
@@ -122,14 +122,14 @@ TEST_CASE("what a plotter will make of a drawing is told without a terminal too,
     CHECK(stats["preflight"]["pen_up_before_m"] > stats["preflight"]["pen_up_m"]);
     const std::string slow = scene("h.gcode") + " --gcode laser --dwell 2 --stats - 2>/dev/null";
     CHECK(nlohmann::json::parse(run_dapple(from + slow).out)["plotting"]["dots_s"] == doctest::Approx(4000));
-    scene.must_fail(from + "- --stats -", "--stats: the drawing goes to the standard output already");
+    scene.must_fail(from + "- --stats -", "--stats: the drawing is written to the standard output already");
     const Outcome table = run_dapple(from + scene("a.csv"));
     CHECK(table.err.starts_with("2,000 dots, "));
     CHECK(table.err.find("the pen") == std::string::npos);
     const Outcome bare = run_dapple("render " + scene("cat.png") +
                                     " --dots 2 --dot-radius 0.1 --region 0,0,1x1 -o " + scene("b.svg"));
     CHECK(bare.err.starts_with("0 dots"));
-    CHECK(bare.err.find(": all of this is bare paper\n") != std::string::npos);
+    CHECK(bare.err.find(": this is all bare paper\n") != std::string::npos);
     CHECK(table.err.find("overlap") == std::string::npos);
     const Outcome pixels = run_dapple(from + scene("a.png") + " --machine grbl-pen");
     CHECK(pixels.status == 2);
@@ -203,7 +203,7 @@ TEST_CASE("overlap by the pen's width is told of every file that is plotted, and
         REQUIRE(outcome.status == 0);
         CHECK(kinds_in(read_json(scene("s.json"))).contains("overlap"));
         CHECK(outcome.err.find(" % of the dots ") != std::string::npos);
-        CHECK(outcome.err.find(" part them\n") != std::string::npos);
+        CHECK(outcome.err.find(". Use fewer dots, a wider page or ") != std::string::npos);
     }
     REQUIRE(run_dapple("render " + scene("cat.png") + " --dots 300 --width 200 --stats " + scene("s.json") +
                        " --pen-width 0.1 -o " + scene("a.hpgl"))
@@ -256,14 +256,13 @@ TEST_CASE("near dots, a pen's gap and the layer of tiles are told of a drawing w
                    " --pens 'Sky:#3aa0d8:0.3:3,Sand:#d0a040:0.3,Rose:#d06080:0.3,Night:#102060:0.3'");
     CAPTURE(told.err);
     REQUIRE(told.status == 0);
-    CHECK(told.err.find(", which saxi joins by a line, and ") != std::string::npos);
-    CHECK(told.err.find(" of Night's dots are nearer") == std::string::npos);
+    CHECK(told.err.find("; saxi would join them. Use ") != std::string::npos);
+    CHECK(told.err.find(" of Night's dots are closer") == std::string::npos);
     const Svg svg = read_svg(scene("a.svg"));
     std::string last;
     for (const pugi::xml_node& layer : svg.document.child("svg").children("g"))
         last = layer.attribute("inkscape:label").value();
-    CHECK(told.err.find("the layer \"" + last + "\" has lines, which AxiDraw's software skips") !=
-          std::string::npos);
+    CHECK(told.err.find("will plot the layer \"" + last + "\". Hide that layer") != std::string::npos);
     CHECK(last.ends_with(" Tiles"));
 }
 
@@ -290,7 +289,7 @@ TEST_CASE(
     "it is said that so many dots were put along a curve only, and that a pen touches rather than draws") {
     const Scene scene;
     const std::string from = "render " + scene("cat.png") + " --relax 0 -o " + scene("a.hpgl");
-    const std::string curve = " (so many dots follow a curve; --order shortest finds a shorter way)";
+    const std::string curve = " (along a curve, for this many dots; --order shortest finds a shorter route)";
     CHECK(run_dapple(from + " --dots 1,000,001").err.find(curve) != std::string::npos);
     CHECK(run_dapple(from + " --dots 900 --order space").err.find(curve) == std::string::npos);
     CHECK(run_dapple(from + " --dots 900 --dot-shape point")
@@ -318,7 +317,7 @@ TEST_CASE("of sheets and of many pictures the findings are told once for each ki
                                       scene("m.svg") + " --sheets 2x1" + stats);
     CAPTURE(sheets.err);
     REQUIRE(sheets.status == 0);
-    CHECK(sheets.err.find("\nA1: a plotter follows the circles' outlines: ") != std::string::npos);
+    CHECK(sheets.err.find("\nA1: A plotter would draw outlines only") != std::string::npos);
     CHECK(sheets.err.find(" (and 1 more like it)\n") != std::string::npos);
     nlohmann::json all = read_json(scene("s.json"));
     REQUIRE(all.size() == 2);
@@ -330,7 +329,7 @@ TEST_CASE("of sheets and of many pictures the findings are told once for each ki
     const Outcome batch = run_dapple("render " + scene("cat.png") + " " + scene("bad.jpg") + " " +
                                      scene("dog.png") + " --dots 900 -o " + scene("out/") + stats);
     CHECK(batch.status != 0);
-    CHECK(batch.err.find("\n  cat.svg: a plotter follows") != std::string::npos);
+    CHECK(batch.err.find("\n  cat.svg: A plotter would draw") != std::string::npos);
     all = read_json(scene("s.json"));
     REQUIRE(all.size() == 2);
     CHECK(all[1]["output"].get<std::string>().ends_with("dog.svg"));

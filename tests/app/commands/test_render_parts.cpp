@@ -96,9 +96,10 @@ TEST_CASE("runs that share the sheets of a mural, or pictures, draw each of them
           "none of the 3 pictures is in share 6 of 9; nothing was drawn\n");
     CHECK(run_dapple(mural + scene("m.svg") + " --share 7/9").err ==
           "none of the 6 sheets is in share 7 of 9; nothing was drawn\n");
-    scene.must_fail("render --share 1/2" + to, "--share: is for several pictures, or the sheets of a mural");
-    scene.must_fail("render --sheets 2x2 --share 0/2" + to, "0/2 is no share; give one such as 1/4");
-    scene.must_fail("render --sheets 2x2 --share 3/2" + to, "3/2 is no share");
+    scene.must_fail("render --share 1/2" + to,
+                    "--share: applies to several pictures or the sheets of a mural");
+    scene.must_fail("render --sheets 2x2 --share 0/2" + to, "0/2 is not a share; give one such as 1/4");
+    scene.must_fail("render --sheets 2x2 --share 3/2" + to, "3/2 is not a share");
     scene.must_fail("render --sheets 2x2 --share 1/2 --stats " + scene("s.json") + to,
                     "--stats: would be written");
 }
@@ -118,7 +119,7 @@ TEST_CASE("settings with sheets draw all of them, one page, or one sheet, as the
     CHECK(text_of(scene("b.csv")) == text_of(scene("m-B1.csv")));
     scene.must_fail(again + "-o -", "--sheets: makes several files");
     scene.must_fail(again + scene("cat.png") + " " + scene("cat.png") + " -o " + scene("drawings/"),
-                    "--sheets: is for one picture");
+                    "--sheets: applies to one picture");
 }
 
 TEST_CASE(
@@ -233,9 +234,9 @@ TEST_CASE("a region is kept with the drawing's settings, gives way to sheets, an
 TEST_CASE("a page that is too large for a format is refused with the sheets that it fits on") {
     const Scene scene;
     const std::string cat = "render " + scene("cat.png") + " -o ";
-    scene.must_fail(cat + scene("new.pdf") + " --width 12000", "SVG; --sheets 3x3 draws all of it in parts");
+    scene.must_fail(cat + scene("new.pdf") + " --width 12000", "SVG; or draw it in parts with --sheets 3x3");
     scene.must_fail(cat + scene("new.png") + " --width 60000 --dpi 600",
-                    "a part of it; --sheets 19x19 draws all of it in parts");
+                    "a part of it; or draw it in parts with --sheets 19x19");
     const Outcome part = run_dapple(cat + scene("new.pdf") + " --width 12000 --sheet 1,1/2x2");
     CHECK(part.err.find("5080 mm") != std::string::npos);
     CHECK(part.err.find("--sheets") == std::string::npos);

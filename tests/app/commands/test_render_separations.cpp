@@ -134,7 +134,7 @@ TEST_CASE("lines have separations too, and each file its pen's width") {
 TEST_CASE("separations that cannot be are refused, and none overwrites the picture") {
     const Scene scene;
     const std::string draw = "render " + scene("cat.png") + " --separations -o ";
-    scene.must_fail(draw + scene("a.png"), "--separations: is for several pens");
+    scene.must_fail(draw + scene("a.png"), "--separations: applies to several pens");
     scene.must_fail(draw + scene("a.svg") + " --pens cmyk", "--separations: applies to a PNG or a TIFF");
     scene.must_fail(draw + "- --format png --pens cmyk", "--separations: makes several files");
     REQUIRE(run_in_shell("cp " + scene("cat.png") + " " + scene("a-1-yellow.png")).status == 0);
@@ -238,7 +238,7 @@ TEST_CASE("with pen files each pen's file has its own dots alone, and waits for 
         for (const std::string& pen : pens) CHECK(std::filesystem::exists(scene("own" + pen + ending)));
     }
     const std::string fails = "render " + scene("cat.png") + " --pen-files -o ";
-    scene.must_fail(fails + scene("a.gcode"), "--pen-files: is for several pens");
+    scene.must_fail(fails + scene("a.gcode"), "--pen-files: applies to several pens");
     scene.must_fail(fails + scene("a.png") + " --pens cmyk",
                     "--pen-files: applies to files for plotting only");
     scene.must_fail(fails + scene("a.csv") + " --pens cmyk",

@@ -183,7 +183,7 @@ TEST_CASE("a test sheet that cannot be is told in a sentence, and nothing is wri
     scene.must_fail("testsheet --pens cmyk:0.3 -o " + scene("a.svg") + " --feed 100",
                     "--feed: applies to G-code");
     scene.must_fail("testsheet --pens cmyk:0.3 -o " + scene("none/a.svg"), "none");
-    scene.must_fail("render --pens cmyk:0.3+wet -o " + scene("a.svg"), "--pens: wet is no dot gain");
+    scene.must_fail("render --pens cmyk:0.3+wet -o " + scene("a.svg"), "--pens: wet cannot be a dot gain");
 }
 
 TEST_CASE("each letter of a pen's writing is another, and lies in its box") {

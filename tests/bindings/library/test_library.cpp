@@ -200,7 +200,7 @@ TEST_CASE("tiles come as text and as points, and a drawing by a tile's text is t
         CHECK(std::ranges::count(tile.points, BinaryPoint{2 * point.x, 2 * point.y}, [](BinaryPoint other) {
                   return BinaryPoint{other.x & ~1ull, other.y & ~1ull};
               }) == 1);
-    CHECK_THROWS_WITH(tile_by_name("paper17"), doctest::Contains("paper17 is no tile"));
+    CHECK_THROWS_WITH(tile_by_name("paper17"), doctest::Contains("paper17 is not a built-in tile"));
     Stippler named, given;
     named.set_picture(ramp());
     given.set_picture(ramp());
@@ -312,9 +312,9 @@ TEST_CASE("what is wrong is said in a sentence that names the field") {
     CHECK_THROWS_WITH(settings_of(R"({"drawing": {"count": 0}})"),
                       "settings: drawing.count is 0; give a whole number from 1 to 10000000000, or null");
     CHECK_THROWS_WITH(settings_of(R"({"drawing": {"dots": 5}})"),
-                      "settings: drawing.dots is not known; the usual settings list all fields");
+                      "settings: drawing.dots is not known; the default settings list all fields");
     CHECK_THROWS_WITH(settings_of(R"({"drawing": {"tone": {"contrst": 5}}})"),
-                      "settings: drawing.tone.contrst is not known; the usual settings list all fields");
+                      "settings: drawing.tone.contrst is not known; the default settings list all fields");
     CHECK_THROWS_WITH(settings_of(R"({"count": 5})"),
                       "settings: count is not known; fields are in \"drawing\" and \"saving\"");
     CHECK_THROWS_WITH(settings_of("{"), doctest::Contains("settings: line 1 is not JSON"));
@@ -360,8 +360,7 @@ TEST_CASE("rows have the window's names, and every field that they name can be s
         CHECK(each.value()["row"] != "");
     }
     CHECK(rows["drawing.tone.contrast"]["row"] == "Contrast");
-    CHECK(rows["drawing.tone.contrast"]["tip"] ==
-          "Above 0 parts light from dark, below 0 brings them closer together.");
+    CHECK(rows["drawing.tone.contrast"]["tip"] == "Above 0 increases the contrast; below 0 reduces it.");
     CHECK(rows["drawing.page.fit"]["choices"] == std::vector{"inside", "fill"});
     CHECK(rows["drawing.page.width_mm"]["unit"] == "mm");
 

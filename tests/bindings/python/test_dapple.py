@@ -241,7 +241,7 @@ WRONG = [
     (lambda: dapple.analyse([[0.5, np.nan]]), ValueError, "points: point 1 is at"),
     (lambda: dapple.analyse([[0.5, 2]], periodic=False), ValueError, "outside the 1 x 1 window"),
     (lambda: dapple.analyse([[0.5, 0.5], [0.2, 0.1]], 0, 1), ValueError, "0 x 1 has no area"),
-    (lambda: dapple.tile_text("paper17"), ValueError, "paper17 is no tile"),
+    (lambda: dapple.tile_text("paper17"), ValueError, "paper17 is not a built-in tile"),
     (lambda: dapple.tile_points("a tile"), ValueError, "line 1"),
     (lambda: dapple.stipple(ramp(), 9).pixels(0), ValueError, "0 pixels to the inch; give more than 0"),
     (lambda: dapple.stipple(ramp(), 9).pixels(np.nan), ValueError, "nan pixels to the inch"),

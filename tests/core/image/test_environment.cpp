@@ -158,7 +158,7 @@ TEST_CASE("the pdf of a map is its light's share per steradian and integrates to
 TEST_CASE("maps that cannot be are refused in words") {
     using doctest::Contains;
     CHECK_THROWS_WITH(EnvironmentMap(Grid<glm::vec3>(8, 8)),
-                      Contains("8 x 8 pixels are no latitude-longitude"));
+                      Contains("8 x 8 pixels are not a latitude-longitude"));
     CHECK_THROWS_WITH(EnvironmentMap(Grid<glm::vec3>()), Contains("twice as wide"));
     CHECK_THROWS_WITH(EnvironmentMap(even(4, glm::vec3(0))), Contains("black all over"));
     Grid<glm::vec3> grid = even(4, glm::vec3(1));

@@ -61,16 +61,14 @@ TEST_CASE("it is told where Grbl rests for longer than it is asked to, or needs 
     }
     facts.dwell_s = 0.01;
     CHECK(sentences_of(facts) ==
-          "Grbl rests 0.05 s where 0.01 s are asked for, as it rounds up to 0.05 s; with a dwell of 0.05 s "
-          "the file says what the machine does\n");
+          "Grbl will rest 0.05 s instead of 0.01 s, as it rounds up to 0.05 s. Set the dwell to 0.05 s\n");
     facts.dwell_s = 0.12;
     CHECK(findings_of(facts).at(0).amount == doctest::Approx(0.15));
     facts.dwell_s = 0;
     facts.burst_s = 0.01;
-    CHECK(
-        sentences_of(facts) ==
-        "bursts of 0.01 s are burned by M4 along 0.05 mm, as no G4 is that short; Grbl needs its laser mode "
-        "for that, which $32=1 turns on\n");
+    CHECK(sentences_of(facts) ==
+          "Bursts of 0.01 s will burn 0.05 mm by M4, as no G4 is that short. Turn on Grbl's laser mode "
+          "($32=1)\n");
 }
 
 TEST_CASE("a line that goes straight over bare paper is told from a tenth of the page on") {
@@ -80,7 +78,7 @@ TEST_CASE("a line that goes straight over bare paper is told from a tenth of the
     CHECK(kinds_of(facts).empty());
     facts.longest_link_mm = 15.1;
     CHECK(kinds_of(facts) == Kinds{FindingKind::long_link});
-    CHECK(sentences_of(facts).starts_with("the line goes 15 mm straight over bare paper"));
+    CHECK(sentences_of(facts).starts_with("The line will cross bare paper for 15 mm"));
 }
 
 TEST_CASE("dots that run into others are told from one in a hundred on, however a pen draws them") {
@@ -104,31 +102,30 @@ TEST_CASE("circles are told as rings that a plotter follows, how long they are a
     facts.ink.as = DotsAs::rings;
     facts.measured->rings_m = 31.4;
     CHECK(kinds_of(facts) == Kinds{FindingKind::rings});
-    CHECK(sentences_of(facts).find("31.4 m of rings; with the dot shape point") != std::string::npos);
+    CHECK(sentences_of(facts).find("A plotter would draw outlines only. Choose the dot shape point") !=
+          std::string::npos);
 }
 
 TEST_CASE("where a single dot takes longer than an hour nobody is told to draw none") {
     DrawingFacts facts = good_facts();
     facts.plotting = {.dots_s = 3.0 * kLongPlottingS};
     facts.dots = 2;
-    CHECK(sentences_of(facts).find("shorter rests and faster moves take less") != std::string::npos);
+    CHECK(sentences_of(facts).find("Use shorter rests and faster moves") != std::string::npos);
 }
 
 TEST_CASE("layers of an SVG that no pen is to draw are told, as most plotters' programs draw them") {
     DrawingFacts facts = good_facts();
     facts.has_tile_layer = facts.has_background = true;
     CHECK(kinds_of(facts) == Kinds{FindingKind::tile_layer, FindingKind::background});
-    CHECK(sentences_of(facts).find("plot; hide that layer, or leave the tile boundaries out") !=
-          std::string::npos);
+    CHECK(sentences_of(facts).find("will plot the layer \"% Tiles\". Hide that layer") != std::string::npos);
 }
 
 TEST_CASE("hours of plotting come with how many dots take one") {
     DrawingFacts facts = good_facts();
     facts.plotting = {.moving_s = 3600, .lifting_s = 3 * 3600};
     CHECK(kinds_of(facts) == Kinds{FindingKind::hours});
-    CHECK(sentences_of(facts).find(
-              "about 4 h on an AxiDraw V3, mostly pen raising and lowering; 2,500 dots take "
-              "about an hour, and one line") != std::string::npos);
+    CHECK(sentences_of(facts).find("about 4 h on an AxiDraw V3, mostly raising and lowering the pen. Use "
+                                   "2,500 dots to plot for about an hour, or one line") != std::string::npos);
     facts.machine.reset();
     CHECK(kinds_of(facts).empty());
 }
@@ -143,10 +140,10 @@ TEST_CASE(
     CHECK(kinds_of(facts) == Kinds{FindingKind::joined});
     // Half the distance: a quarter of the dots, and some to spare.
     CHECK(findings_of(facts)[0].amount == 2400);
-    CHECK(sentences_of(facts).find("2,400 dots or a page 2.1 times as wide part them") != std::string::npos);
+    CHECK(sentences_of(facts).find("Use 2,400 dots or a page 106 % wider") != std::string::npos);
     facts.whole_page = false;  // it would be the sheet's count
     CHECK(findings_of(facts)[0].amount == 0);
-    CHECK(sentences_of(facts).find("fewer dots or a wider page part them") != std::string::npos);
+    CHECK(sentences_of(facts).find("Use fewer dots or a wider page") != std::string::npos);
 }
 
 TEST_CASE("more dots than programs read, and more than are looked at, are told with what can be done") {
@@ -181,10 +178,9 @@ TEST_CASE("a page that the machine does not reach is told, lying or upright, and
     facts.page = {5000, 5000, 5000};
     CHECK(kinds_of(facts).empty());
     facts.reach_mm = kHpglReachMm;
-    CHECK(
-        sentences_of(facts) ==
-        "the page, 5000 x 5000 mm, is larger than the 819 mm up to which pen plotters read HPGL's numbers; a "
-        "smaller page or several sheets fit\n");
+    CHECK(sentences_of(facts) ==
+          "The page, 5000 x 5000 mm, is larger than the 819 mm that HPGL plotters can read. Use a smaller "
+          "page or several sheets\n");
 }
 
 TEST_CASE("dots over the page's edge and in its margins are told, of a sheet too") {
@@ -193,8 +189,7 @@ TEST_CASE("dots over the page's edge and in its margins are told, of a sheet too
     facts.measured->over_edge = 1;
     facts.measured->outside_margins = 7;
     CHECK(kinds_of(facts) == Kinds{FindingKind::over_edge});
-    CHECK(sentences_of(facts) ==
-          "1 dot reaches over the page's edge; a margin of 0.5 mm or an automatic one keeps them on it\n");
+    CHECK(sentences_of(facts) == "1 dot reaches over the page's edge. Use automatic margins, or 0.5 mm\n");
     facts.has_margins = true;
     CHECK(kinds_of(facts) == Kinds{FindingKind::over_edge, FindingKind::in_margins});
     facts.whole_page = false;
@@ -208,13 +203,11 @@ TEST_CASE("near dots are told where programs join them, and a pen's where its ga
     CHECK(kinds_of(facts).empty());
     facts.is_svg = true;
     CHECK(kinds_of(facts) == Kinds{FindingKind::joined});
-    CHECK(sentences_of(facts).find(
-              "300 dots are nearer to others than 0.5 mm, which saxi joins by a line, and 20 "
-              "nearer than 0.152 mm") != std::string::npos);
+    CHECK(sentences_of(facts).find("300 dots are closer than 0.5 mm; saxi would join them") !=
+          std::string::npos);
     facts.pens = {{"Gel", 5000, 1.2, 45}, {"Fine", 5000, 0.3, 0}};
     CHECK(kinds_of(facts) == Kinds{FindingKind::gap, FindingKind::joined});
-    CHECK(sentences_of(facts).find(
-              "45 of Gel's dots are nearer to each other than its smallest gap of 1.2 mm") !=
+    CHECK(sentences_of(facts).find("45 of Gel's dots are closer than its smallest gap of 1.2 mm") !=
           std::string::npos);
 }
 
@@ -222,7 +215,7 @@ TEST_CASE("a pen that draws hardly any of the dots is told, where a pen draws th
     DrawingFacts facts = good_facts();
     facts.pens = {{"Cyan", 49}, {"Magenta", 50}, {"Yellow", 0}, {"Black", 9901}};
     CHECK(kinds_of(facts) == Kinds{FindingKind::few});
-    CHECK(sentences_of(facts).find("Cyan draws only 49 of the dots; without that pen") == 0);
+    CHECK(sentences_of(facts).find("Cyan draws only 49 of the dots. Remove that pen") == 0);
     facts.ink.as = DotsAs::printed;
     CHECK(kinds_of(facts).empty());
     facts.ink.as = DotsAs::touches;
@@ -236,8 +229,8 @@ TEST_CASE("a drawing far from the picture's tone is told with the dots, or the r
     CHECK(kinds_of(facts).empty());
     facts.for_tone = DrawingFacts::Tone{80'000, 0.42};
     CHECK(sentences_of(facts) ==
-          "the drawing is paler than the picture; 80,000 dots 0.3 mm wide would give its tone, or these "
-          "dots 0.84 mm wide\n");
+          "The drawing will look paler than the picture. Use 80,000 dots 0.3 mm wide, or make these dots "
+          "0.84 mm wide\n");
 }
 
 TEST_CASE("dots finer than a pixel are told with the resolution that shows each") {
@@ -248,5 +241,5 @@ TEST_CASE("dots finer than a pixel are told with the resolution that shows each"
     CHECK(kinds_of(facts).empty());
     facts.dpi = 100;
     CHECK(kinds_of(facts) == Kinds{FindingKind::fine_pixels});
-    CHECK(sentences_of(facts).find("260 dots per inch") != std::string::npos);
+    CHECK(sentences_of(facts).find("260 pixels per inch") != std::string::npos);
 }

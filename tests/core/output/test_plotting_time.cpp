@@ -303,7 +303,7 @@ TEST_CASE("the time expected before the order is known is about that of a short 
               doctest::Approx(time.total_s()).epsilon(0.1));
     }
     CHECK(what_takes_longest(plotting_time(stream_of(dots), 200, program_of(Machine::axidraw_v3))) ==
-          "mostly pen raising and lowering");
+          "mostly raising and lowering the pen");
 }
 
 TEST_CASE("a time is told as people say it") {

@@ -132,15 +132,15 @@ TEST_CASE("a decoder that crashes, stops or says nonsense is one sentence here")
     CHECK(has(Decoder("kill -ABRT $$").sentence(), "its decoder crashed (Aborted)"));
     CHECK(has(Decoder("kill -XCPU $$").sentence(), "far longer to decode"));
     CHECK(has(Decoder("kill -TERM $$").sentence(), "its decoder was stopped"));
-    CHECK(has(Decoder("exit 3").sentence(), "without a word (exit 3)"));
+    CHECK(has(Decoder("exit 3").sentence(), "without an answer (exit 3)"));
     CHECK(has(Decoder("exit 127").sentence(), "the system does not load its decoder"));
-    CHECK(has(Decoder("echo nonsense").sentence(), "says nothing that can be understood"));
+    CHECK(has(Decoder("echo nonsense").sentence(), "sent nothing that can be understood"));
     // A header of 4 x 4 pixels, with two texts that are empty, and one row of it.
     CHECK(has(
         Decoder(
             R"(printf 'p\004\0\0\0\004\0\0\0\001\0\0\0\001\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0r0123012301230123')")
             .sentence(),
-        "without a word"));
+        "without an answer"));
     // A picture larger than was asked for.
     CHECK(has(Decoder(R"(printf 'p\0\0\0\100\0\0\0\100\001\0\0\0\001\0\0\0\0\0\0\0\0\0\0\0')").sentence(),
               "megapixels"));
@@ -235,7 +235,7 @@ TEST_CASE("a header that asks for gigabytes gets none, and a sentence says what 
             // A child begins as its parent is, until it is a program of its own.
             constexpr long kMostKilobytes = 700'000;
             const bool modest = decoder.ru_maxrss < own.ru_maxrss + kMostKilobytes;
-            ::_exit((sentence.empty() || has(sentence, "without a word") ? 1 : 0) | (modest ? 0 : 2));
+            ::_exit((sentence.empty() || has(sentence, "without an answer") ? 1 : 0) | (modest ? 0 : 2));
         }
         int status = 0;
         ::waitpid(child, &status, 0);

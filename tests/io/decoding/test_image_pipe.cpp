@@ -132,7 +132,7 @@ TEST_CASE("a decoder's picture arrives as it was sent, in colours and in grey") 
 TEST_CASE("what a decoder says is not believed: what cannot be is a sentence") {
     const std::string sane = Sent().header() + kRows;
     REQUIRE(said_of(sane) == "");
-    const std::string lies = "its decoder says what cannot be: ";
+    const std::string lies = "its decoder sent something impossible: ";
     for (const int orientation : {0, 9, -1, 1 << 30})
         CHECK(said_of(Sent{.orientation = orientation}.header() + kRows) ==
               lies + "orientation " + std::to_string(orientation));
@@ -148,21 +148,22 @@ TEST_CASE("what a decoder says is not believed: what cannot be is a sentence") {
           lies + "a text of 5,000 bytes");
     CHECK(said_of(sane + "r") == lies + "something after the last row");
     CHECK(said_of(sane + row_of(9, 0)) == lies + "something after the last row");
-    CHECK(said_of("e" + bytes_of(std::uint32_t{0})) == lies + "an error without a word");
-    CHECK(said_of(Sent().header() + row_of(9, 0) + "z") == "its decoder says nothing that can be understood");
+    CHECK(said_of("e" + bytes_of(std::uint32_t{0})) == lies + "an error without a text");
+    CHECK(said_of(Sent().header() + row_of(9, 0) + "z") == "its decoder sent nothing that can be understood");
     CHECK(said_of("") == "ended");
     for (std::size_t bytes = 1; bytes < sane.size(); ++bytes)
         CHECK(said_of(sane.substr(0, bytes)) == "ended");
     // Sizes without an end, and one that is no size.
     std::string sizes;
     for (int i = 0; i < 1000; ++i) sizes += "s" + bytes_of(std::uint64_t{1});
-    CHECK(said_of(sizes) == "its decoder says nothing that can be understood");
+    CHECK(said_of(sizes) == "its decoder sent nothing that can be understood");
     CHECK(said_of("s" + bytes_of(UINT64_MAX) + sane, {.most_pixels = kAnyPixels}) == "");
 }
 
 TEST_CASE("rows that are no light are refused wherever they come, and every light goes through") {
     constexpr float kInfinity = std::numeric_limits<float>::infinity();
-    const std::string no_light = "its decoder says what cannot be: a row 1 with values that are no light";
+    const std::string no_light =
+        "its decoder sent something impossible: a row 1 with values that are no light";
     for (const float value :
          {std::numeric_limits<float>::quiet_NaN(), kInfinity, -kInfinity, 1e38f, -1e38f, 1.1e18f}) {
         for (const std::int32_t grey : {0, 1}) {

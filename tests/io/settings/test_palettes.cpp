@@ -64,7 +64,7 @@ TEST_CASE("a palette of one's own comes back as it was, and can be removed") {
     CHECK_THROWS_AS(save_palette("none", {}, palettes), std::runtime_error);
     CHECK(own_palettes(palettes).empty());
     CHECK_THROWS_WITH_AS(save_palette("mine", mine, ""),
-                         "there is no home folder to keep palettes in; set HOME to one", std::runtime_error);
+                         "there is no home folder for palettes; set HOME to one", std::runtime_error);
 }
 
 TEST_CASE("the palette row takes one's pens, keeps the present ones under a name, and removes them again") {

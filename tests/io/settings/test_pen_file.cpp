@@ -51,7 +51,7 @@ TEST_CASE("a file of pens that is wrong is told with its name, the pen and the f
          {Wrong{"[" + good + R"({"name": "B", "colour": "#111", "width": 0.3}])",
                 "pen 2: width: is not known"},
           Wrong{"[" + good + R"({"colour": "#111"}])", "pen 2: name: is missing"},
-          Wrong{R"([{"name": 3, "colour": "#111"}])", "pen 1: name: 3 is no text"},
+          Wrong{R"([{"name": 3, "colour": "#111"}])", "pen 1: name: 3 is not a text"},
           Wrong{R"([{"name": "<b>", "colour": "#111"}])", R"(pen 1: name: "<b>" is none)"},
           Wrong{R"([{"name": "A"}])", "pen 1: colour: is missing"},
           Wrong{R"([{"name": "A", "colour": "blue-ish"}])", "pen 1: colour: "},
@@ -59,7 +59,7 @@ TEST_CASE("a file of pens that is wrong is told with its name, the pen and the f
                 R"(pen 1: width_mm: "0.3" is not)"},
           Wrong{R"([{"name": "A", "colour": "#111", "width_mm": -1}])", "pen 1: width_mm: -1 is not"},
           Wrong{R"([{"name": "A", "colour": "#111", "width_mm": 51}])", "a number from 0 to 50"},
-          Wrong{R"([{"name": "A", "colour": "#111", "width_mm": 1e999}])", "is no JSON"},
+          Wrong{R"([{"name": "A", "colour": "#111", "width_mm": 1e999}])", "is not JSON"},
           Wrong{R"([{"name": "A", "colour": "#111", "width_mm": 1, "gain_mm": true}])",
                 "pen 1: gain_mm: true"},
           Wrong{R"([{"name": "A", "colour": "#111", "gap_mm": 1}])",
@@ -69,9 +69,9 @@ TEST_CASE("a file of pens that is wrong is told with its name, the pen and the f
           Wrong{"[]", "0 pens are not possible"},
           Wrong{"[" + good + R"({"name": "A", "colour": "#222"}])", "two pens are called A"},
           Wrong{R"([{"name": "cmyk", "colour": "#222"}])", "cmyk is a set of pens"},
-          Wrong{"[{\"name\": \"A\", ", "is no JSON from byte"},
+          Wrong{"[{\"name\": \"A\", ", "is not JSON from byte"},
           Wrong{std::string(400'000, '[') + std::string(400'000, ']'), "brackets within brackets"},
-          Wrong{"Sky:#111:wide", "wide is no pen's width"}}) {
+          Wrong{"Sky:#111:wide", "wide cannot be a pen's width"}}) {
         CAPTURE(text.substr(0, 200));
         const std::string complaint = complaint_about(text);
         CAPTURE(complaint);

@@ -458,7 +458,7 @@ TEST_CASE("a project finds picture and tile when both have moved with it, and wh
     for (const char* odd : {"pipe.png", "/dev/zero", "pictures"}) {
         put_text(folder / "b/odd.dapple", std::string(R"({"dapple": 1, "picture": ")") + odd + "\"}");
         CHECK_THROWS_WITH(read_project(folder / "b/odd.dapple", all_of(read)),
-                          doctest::Contains("which is no regular file; name one that is"));
+                          doctest::Contains("which is not a regular file; name one that is"));
     }
     put_text(folder / "b/by_hand.dapple", R"({"dapple": 1, "picture": "pictures/cat.png"})");
     CHECK(read_project(folder / "b/by_hand.dapple", all_of(read)).picture == folder / "b/pictures/cat.png");

@@ -309,7 +309,7 @@ TEST_CASE("bad input to an analysis is refused in words, and an old report stays
     scene.refuses("--density 0" + to_old, "--density");
     scene.refuses("--density nan" + to_old, "--density");
     scene.refuses("--scale 0" + to_old, "--scale: 0 is not possible");
-    scene.refuses("--scale 0.001" + to_old, "no dots come out");
+    scene.refuses("--scale 0.001" + to_old, "no dots at this scale");
     scene.refuses("--scale 1e12" + to_old, "dots");
     scene.refuses("--period 3" + to_old, "--period");
     scene.refuses("--tile nonsense" + to_old, "nonsense");

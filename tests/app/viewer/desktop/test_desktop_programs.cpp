@@ -73,7 +73,7 @@ TEST_CASE("the desktop's dialog is asked for pictures in a folder, and its answe
     CHECK_FALSE(ask_desktop(question, {}));
     path.program("zenity", "exit 255");
     CHECK_THROWS_WITH(ask_desktop(question, {}),
-                      "zenity could not show its dialog; choose dapple's own in the preferences");
+                      "zenity could not show its dialog; choose Dapple's dialog in the preferences");
     path.program("kdialog", "echo /kde.png");
     ::setenv("XDG_CURRENT_DESKTOP", "KDE", 1);
     CHECK(ask_desktop(question, {}) == fs::path("/kde.png"));
@@ -100,7 +100,7 @@ TEST_CASE("a program that does not end is ended: when it is stopped, and when it
 
 TEST_CASE("a picture on the clipboard becomes a file, PNG before others") {
     const DesktopPath path;
-    CHECK(paste_trouble(path).find("install that, or save the picture to a file") != std::string::npos);
+    CHECK(paste_trouble(path).find("install it, or save the picture") != std::string::npos);
     path.program("xclip",
                  "case \"$*\" in\n*TARGETS) printf 'UTF8_STRING\\nimage/jpeg\\nimage/png\\n';;\n"
                  "*'-t image/png') printf 'png';;\n*) exit 1;;\nesac");
@@ -112,9 +112,9 @@ TEST_CASE("a picture on the clipboard becomes a file, PNG before others") {
     CHECK(first->extension() == ".png");
     CHECK(text_of(*first) == "png");
     path.program("xclip", "echo UTF8_STRING");
-    CHECK(paste_trouble(path).find("There is neither a picture nor the name of a file") == 0);
+    CHECK(paste_trouble(path).find("The clipboard has neither a picture nor a file's path") == 0);
     path.program("xclip", "exit 1");  // as it does of an empty clipboard
-    CHECK(paste_trouble(path).find("There is neither a picture nor the name of a file") == 0);
+    CHECK(paste_trouble(path).find("The clipboard has neither a picture nor a file's path") == 0);
     path.program("xclip", "case \"$*\" in *TARGETS) echo image/png;; esac");
     CHECK(paste_trouble(path).find("could not be read from xclip") != std::string::npos);
     // On Wayland the other one is asked, where it is there.
@@ -152,7 +152,7 @@ TEST_CASE(
     ::unsetenv("WAYLAND_DISPLAY");
     CHECK(text_of(path / "copied") == "png--type image/png\n");
     path.program("xclip", "exit 1");
-    CHECK(trouble() == "The picture could not be copied: there is no clipboard that takes it");
+    CHECK(trouble() == "The picture could not be copied: no clipboard accepts it");
 }
 
 }  // namespace dapple

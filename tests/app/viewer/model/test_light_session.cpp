@@ -126,7 +126,7 @@ TEST_CASE("samples that are given up leave those that are shown, with their sett
     CHECK(session.settings.request == before.request);
     CHECK(session.settings.stops == 2);
     CHECK(session.banner.kind == BannerKind::notice);
-    CHECK(session.banner.message.find("Stopped") == 0);
+    CHECK(session.banner.message.find("Cancelled") == 0);
     REQUIRE(brings(session, [&] { return !session.sampling(); }));
     session.take_events();
     CHECK_FALSE(session.sampling());

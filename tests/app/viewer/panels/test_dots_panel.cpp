@@ -33,16 +33,16 @@ struct DotsUi {
 TEST_CASE("going from count to scale and back keeps the drawing") {
     DotsUi f;
     REQUIRE(f.settings.placing.count == kDefaultDots);
-    f.ui.click("tone");
+    f.ui.click("from tone");
     CHECK_FALSE(f.settings.placing.count);
     CHECK(f.settings.placing.scale == 777);
-    f.ui.click("number");
+    f.ui.click("as set");
     CHECK(f.settings.placing.count == 12'345);
 }
 
 TEST_CASE("the scale slider is logarithmic") {
     DotsUi f;
-    f.ui.click("tone");
+    f.ui.click("from tone");
     f.ui.drag("Dots in black", 0.3f, 0.5f);
     CHECK(f.settings.placing.scale == doctest::Approx(1000).epsilon(0.05));
     f.ui.drag("Dots in black", 0.5f, 1.0f);
@@ -90,16 +90,16 @@ TEST_CASE("a typed count is at most what fits into memory, and the panel says wh
     f.ui.frame(1);
     CHECK(f.ui.has("Tip"));
     // Nothing moves beneath the pointer when there are that many.
-    const WidgetPlace below = f.ui.place("Settle");
+    const WidgetPlace below = f.ui.place("Relax");
     f.drawn.dots = 7'654'321;
     f.ui.frame();
-    CHECK(f.ui.place("Settle") == below);
+    CHECK(f.ui.place("Relax") == below);
 }
 
 TEST_CASE("a typed scale is at most the one whose dots fit into memory") {
     DotsUi f;
     f.drawn.most_dots = 1'234'500;  // a hundred times as many as are drawn
-    f.ui.click("tone");
+    f.ui.click("from tone");
     f.ui.enter("Dots in black", "99999999999");
     CHECK(f.settings.placing.scale == doctest::Approx(77'700).epsilon(1e-9));
     f.ui.drag("Dots in black", 0.5f, 1.0f);
@@ -131,11 +131,11 @@ TEST_CASE("a look at Figure 8 and back leaves everything as it was") {
 
 TEST_CASE("what Figure 8 does not know is not there, and a list of all rows says why") {
     DotsUi f;
-    CHECK(f.ui.has("Settle"));
+    CHECK(f.ui.has("Relax"));
     CHECK(f.ui.has("Ranking"));
     f.ui.click("Figure 8");
     f.ui.frame();
-    CHECK_FALSE(f.ui.has("Settle"));
+    CHECK_FALSE(f.ui.has("Relax"));
     CHECK_FALSE(f.ui.has("Ranking"));
     std::vector<ListedRow> rows;
     ImGui::NewFrame();
@@ -144,7 +144,7 @@ TEST_CASE("what Figure 8 does not know is not there, and a list of all rows says
         draw_dots_panel(f.settings, f.drawn);
     }
     ImGui::EndFrame();
-    const auto row = std::ranges::find(rows, "Settle", &ListedRow::label);
+    const auto row = std::ranges::find(rows, "Relax", &ListedRow::label);
     REQUIRE(row != rows.end());
     CHECK(row->why_not == why_only_exact(PlacerKind::figure8));
 }
@@ -164,7 +164,7 @@ TEST_CASE("what is typed may be 40k or 8in, and what cannot be is said") {
         f.ui.frame();
         CHECK_FALSE(f.ui.has("Refusal"));
     }
-    f.ui.enter("Settle", "2.5");
+    f.ui.enter("Relax", "2.5");
     CHECK_FALSE(f.settings.relax);
     CHECK(f.ui.has("Refusal"));
 }
@@ -203,13 +203,13 @@ TEST_CASE("the relax row shows the usual steps until it is moved, and brought ba
     f.drawn.steps = f.drawn.usual_steps = 14;
     f.ui.frame();
     CHECK_FALSE(f.settings.relax);
-    f.ui.enter("Settle", "5");
+    f.ui.enter("Relax", "5");
     CHECK(f.settings.relax == 5);
-    f.ui.enter("Settle", "14");
+    f.ui.enter("Relax", "14");
     CHECK_FALSE(f.settings.relax);
-    f.ui.drag("Settle", 0.2f, 1.0f);
+    f.ui.drag("Relax", 0.2f, 1.0f);
     CHECK(f.settings.relax == 20);
-    f.ui.drag("Settle", 1.0f, 0.0f);
+    f.ui.drag("Relax", 1.0f, 0.0f);
     CHECK(f.settings.relax == 0);
 }
 
@@ -233,7 +233,7 @@ TEST_CASE("dots are drawn as lines or in another shape by the pen whose width is
     CHECK(drawing.pen_width_mm == 0.5);
     ui.click("one line");
     CHECK(drawing.style == DrawingStyle::line);
-    ui.click("nearest");
+    ui.click("network");
     CHECK(drawing.style == DrawingStyle::nearest);
     ui.click("dots");
     CHECK(drawing.style == DrawingStyle::dots);
@@ -244,7 +244,7 @@ TEST_CASE("a dot's own path is typed: what is none is told and changes nothing")
     drawing.mark.shape = DotShape::path;
     drawing.mark.path = "M0,0 L1,1";
     HeadlessUi ui([&] { draw_dots_panel(drawing, {}); });
-    ui.click("Own shape");
+    ui.click("Custom path");
     ui.key(Key::end);
     ui.type(" L9,9");
     CHECK(drawing.mark.path == "M0,0 L1,1");

@@ -284,7 +284,7 @@ TEST_CASE("in the narrowest column no label, value or control lies on another, o
 
 TEST_CASE("undo names a change by the row that made it") {
     // One choice for several rows, and rows whose choice is kept in another's.
-    const std::map<std::string, std::string> others{{"Dots by", "Dots"},
+    const std::map<std::string, std::string> others{{"Dot count", "Dots"},
                                                     {"Inks", "Pens"},
                                                     {"G-code for", "Template"},
                                                     {"Right tile", "Split view"},

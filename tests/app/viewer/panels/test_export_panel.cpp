@@ -17,7 +17,7 @@ TEST_CASE("an export's resolution and order are set where it is asked for, for t
     DrawingFormat format = DrawingFormat::svg;
     ExportInfo info{.dots = 400'000, .bytes = 23.8e6, .trouble = {}};
     HeadlessUi ui([&] { draw_export_panel(settings, format, info); });
-    CHECK_FALSE(ui.has("Dots per inch"));
+    CHECK_FALSE(ui.has("Resolution (ppi)"));
     CHECK_FALSE(ui.has("Finding tone"));
     info.findings = {{FindingKind::tone, "the drawing is paler than the picture", "more dots"},
                      {FindingKind::overlap, "40 % of the dots overlap others", "fewer dots"}};
@@ -48,7 +48,7 @@ TEST_CASE("an export's resolution and order are set where it is asked for, for t
     ui.frame();
     CHECK_FALSE(ui.has("Dot order"));
     CHECK_FALSE(ui.has("Paper in SVG"));
-    ui.enter("Dots per inch", "600");
+    ui.enter("Resolution (ppi)", "600");
     CHECK(settings.saving.dpi == 600);
     CHECK_FALSE(ui.has("Separations"));
     settings.drawing.pens.set = PenSet::cmyk;
@@ -82,19 +82,19 @@ TEST_CASE("what is wrong with an export is mended by a click, where there is one
                      {FindingKind::tile_layer, "the layer is drawn", "leave it out"},
                      {FindingKind::rings, "rings are drawn", "spirals fill them"}};
     HeadlessUi ui([&] { draw_export_panel(settings, DrawingFormat::svg, info); });
-    ui.click("8,400 dots");
+    ui.click("Use 8,400 dots");
     CHECK(settings.drawing.placing.count == 8400);
-    ui.click("2,100 dots");
+    ui.click("Use 2,100 dots");
     CHECK(settings.drawing.placing.count == 2100);
-    ui.click("Deepest black 0.7");
+    ui.click("Set deepest black to 0.7");
     CHECK(settings.drawing.tone.black == 0.7);
     ui.frame();
-    CHECK_FALSE(ui.has("Deepest black 0.7"));  // it would change nothing
-    ui.click("Automatic margins");
+    CHECK_FALSE(ui.has("Set deepest black to 0.7"));  // it would change nothing
+    ui.click("Use automatic margins");
     CHECK_FALSE(settings.drawing.page.margins);
-    ui.click("720 dots per inch");
+    ui.click("Use 720 ppi");
     CHECK(settings.saving.dpi == 720);
-    ui.click("Leave the tile boundaries out");
+    ui.click("Hide the tile boundaries");
     CHECK_FALSE(settings.drawing.show_tiles);
     ui.click("Fill the dots with spirals");
     CHECK(settings.drawing.mark.shape == DotShape::spiral);
@@ -128,7 +128,7 @@ TEST_CASE("a G-code template of one's own is named by its file, and what it says
     SavingChoice& saving = settings.saving;
     CHECK_FALSE(ui.has("Template"));
     ui.click("servo");
-    ui.click("own");
+    ui.click("custom");
     CHECK(saving.gcode_template.text == gcode_template_of(GcodeTool::servo));  // until a file is named
     ui.click("Template");
     ui.type((name + "x").c_str());

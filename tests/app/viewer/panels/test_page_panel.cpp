@@ -148,13 +148,13 @@ TEST_CASE("the crop's rows are percent of the picture, keep a rest of it, and al
     ui.enter("To right, %", "100");
     ui.enter("From left, %", "0");
     CHECK_FALSE(crop);
-    CHECK_FALSE(ui.has("All of the picture"));
+    CHECK_FALSE(ui.has("Remove the crop"));
     crop = Crop{{{100, 50}, {300, 150}}, Crop::Unit::pixels};
     ui.enter("From top, %", "50");
     CHECK(crop->box == Rectangle<double>{{25, 50}, {75, 75}});
     ui.click("90");
     CHECK(setup.quarter_turns == 1);
-    ui.click("All of the picture");
+    ui.click("Remove the crop");
     CHECK_FALSE(crop);
     ui.click("Crop");
     CHECK_FALSE(tool.on);

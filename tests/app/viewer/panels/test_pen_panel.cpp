@@ -31,14 +31,14 @@ TEST_CASE("pens of one's own begin with those that drew, and are added, named an
         ui.click(set);
     };
     Palette& own = settings.pens.own;
-    choose("own pens");
+    choose("custom pens");
     ui.click("More pen settings");
     REQUIRE(own.size() == 1);
     CHECK(own[0].colour == settings.ink);
     CHECK_FALSE(ui.has("Remove Ink"));  // one draws
     own.clear();
     choose("greys");
-    choose("own pens");
+    choose("custom pens");
     REQUIRE(own.size() == 3);
     ui.click("Add a pen");
     REQUIRE(own.size() == 4);
@@ -87,7 +87,7 @@ TEST_CASE("several pens are chosen with their width, and then draw registration 
     ui.click("Registration");
     CHECK(drawing.registration);
     ui.click("Inks");
-    ui.click("own pens");
+    ui.click("custom pens");
     REQUIRE(drawing.pens.own.size() == 4);
     CHECK(drawing.pens.own[0].width_mm == 0.4);
     ui.enter("Width 1, mm", "0.7");

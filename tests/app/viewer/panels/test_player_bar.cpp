@@ -17,10 +17,9 @@ struct Player {
     HeadlessUi ui{[this] {
         keep_tips_above(kCanvasEnd);
         ImGui::SetCursorScreenPos({kWidth + 20, kCanvasEnd + 10});
-        wide_button(
-            "Watch it being plotted",
-            "Shows the pen's way in its order, with the time that a machine takes. This is a sentence "
-            "of several lines.");
+        wide_button("Watch the plot",
+                    "Shows the pen's route and how long a machine takes. This is a sentence of several "
+                    "lines, for a small column.");
         draw_player_bar(film, "30 dots", chosen, {0, kCanvasEnd}, {kWidth, player_bar_height()});
     }};
 
@@ -41,7 +40,7 @@ struct Player {
 TEST_CASE("no tip covers a film's bar, neither those of its own controls nor those of the rows beside it") {
     Player player;
     for (const char* const widget :
-         {"Film", "Play film", "Moment", "Takes", "Save film...", "Close", "Watch it being plotted"}) {
+         {"Film", "Play film", "Moment", "Takes", "Save film...", "Close", "Watch the plot"}) {
         CAPTURE(widget);
         player.rest_on(widget);
         REQUIRE(player.ui.has("Tip"));

@@ -79,7 +79,7 @@ TEST_CASE("the status line says that a placing takes long, and how long the last
     };
     CHECK(says(0, "placing 12.3 ms"));
     CHECK(says(0.2, "placing 12.3 ms"));
-    CHECK(says(0.8, "placing, 1 s, Escape stops it"));
+    CHECK(says(0.8, "Placing 1 s (Esc stops)"));
     CHECK_FALSE(says(0.8, "placing 12.3 ms"));
 }
 
@@ -93,17 +93,17 @@ TEST_CASE("a placing that takes long shows its share, in words and as a bar, and
     CHECK_FALSE(ui.has("Progress"));  // not long yet
     facts.placing_seconds = 0.6;
     ui.frame();
-    CHECK(says("placing, 25 %, Escape stops it"));
+    CHECK(says("Placing 25 % (Esc stops)"));
     CHECK(ui.place("Progress").max.x == 100);
     facts.steps = 3;
     facts.all_steps = 4;
     ui.frame();
-    CHECK(says("settling, step 3 of 4, Escape stops it"));
+    CHECK(says("Relaxing 3 of 4 (Esc stops)"));
     CHECK(ui.place("Progress").max.x == 300);
     facts = {.placing_seconds = 0.6};  // Figure 8's come at once
     ui.frame();
     CHECK_FALSE(ui.has("Progress"));
-    CHECK(says("placing, 1 s, Escape stops it"));
+    CHECK(says("Placing 1 s (Esc stops)"));
 }
 
 TEST_CASE("the status line tells dots, paper and zoom; scale and times only where the method is looked at") {

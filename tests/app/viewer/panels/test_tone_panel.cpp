@@ -55,21 +55,21 @@ TEST_CASE("dragging a tone slider to its ends gives its range") {
 TEST_CASE("one slider goes from true light to automatic tone, and leaves a tone of one's own") {
     DrawingSettings settings;
     ToneUi ui([&] { draw_tone_panel(settings, {}); });
-    ui.drag("Automatic tone", 0.6f, 1.0f);
+    ui.drag("Auto tone", 0.6f, 1.0f);
     CHECK(settings.automatic_tone);
     CHECK(settings.tone_strength == 1);
-    ui.double_click("Automatic tone name");
+    ui.double_click("Auto tone name");
     CHECK(settings == DrawingSettings{});
-    ui.drag("Automatic tone", 0.6f, 0.0f);
+    ui.drag("Auto tone", 0.6f, 0.0f);
     CHECK_FALSE(settings.automatic_tone);
     CHECK(settings.tone == Tone{});
-    ui.enter("Automatic tone", "0.3");
+    ui.enter("Auto tone", "0.3");
     CHECK(settings.automatic_tone);
     CHECK(settings.tone_strength == 0.3);
     CHECK(settings.tone == DrawingSettings{}.tone);
     ui.enter("Gamma", "2");
     CHECK_FALSE(settings.automatic_tone);
-    ui.enter("Automatic tone", "0");
+    ui.enter("Auto tone", "0");
     CHECK_FALSE(settings.automatic_tone);
     CHECK(settings.tone == Tone{});
 }
@@ -85,7 +85,7 @@ TEST_CASE("exposure is the picture's own until it is moved, and again once it is
     CHECK_FALSE(settings.automatic_exposure);
     CHECK(settings.tone.exposure == 1.5f);
     CHECK(settings.automatic_tone);  // black, white and gamma still follow
-    ui.enter("Automatic tone", "0");
+    ui.enter("Auto tone", "0");
     CHECK(settings.tone.exposure == 1.5f);
     ui.enter("Exposure", "-3.2");
     CHECK(settings.automatic_exposure);
@@ -161,7 +161,7 @@ TEST_CASE("a slider moved under the automatic tone goes on from what is drawn") 
     CHECK(settings.tone.brightness == 1);
     CHECK(settings.tone.gamma == 2);
     CHECK(settings.tone.white_point == 0.8f);
-    ui.double_click("Automatic tone name");
+    ui.double_click("Auto tone name");
     CHECK(settings.tone == DrawingSettings{}.tone);
     CHECK(settings.automatic_tone);
 }

@@ -98,7 +98,7 @@ TEST_CASE("walking into a folder and opening a picture there gives its path") {
     f.open(folder.root.path());
     f.ui.click("b folder/");
     f.ui.frame();
-    f.ui.click("../");
+    f.ui.click("Parent folder");
     f.ui.frame();
     CHECK_FALSE(f.ui.has("inner.tif"));
     f.ui.click("b folder/");
@@ -192,7 +192,7 @@ TEST_CASE("a file that is there is replaced only when that was asked for twice")
     f.ui.click("Accept");
     CHECK_FALSE(f.chosen);
     REQUIRE(f.ui.has("Replace"));
-    f.ui.click("Keep");
+    f.ui.click("Cancel");
     CHECK_FALSE(f.chosen);
     CHECK(f.dialog.is_open());
     f.ui.click("Accept");
@@ -335,9 +335,9 @@ TEST_CASE("so it does after a click on the button, and after what is there is ke
     for (int letter = 0; letter < 15; ++letter) f.key(Key::backspace);
     f.ui.type("ant.png");
     f.key(Key::enter);
-    REQUIRE(f.ui.has("Keep"));
+    REQUIRE(f.ui.has("Replace"));
     f.key(Key::escape);
-    CHECK_FALSE(f.ui.has("Keep"));
+    CHECK_FALSE(f.ui.has("Replace"));
     REQUIRE(f.dialog.is_open());
     for (int letter = 0; letter < 3; ++letter) f.key(Key::backspace);
     f.ui.type("csv");

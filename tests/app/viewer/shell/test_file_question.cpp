@@ -35,7 +35,7 @@ struct AskedFiles {
         answer.reset();
         for (int i = 0; i < 4; ++i) ui.frame();
         CHECK_FALSE(answer);
-        CHECK_FALSE(ui.has("Take its settings"));
+        CHECK_FALSE(ui.has("Use its settings"));
     }
 };
 
@@ -84,7 +84,7 @@ TEST_CASE("a picture that holds settings is opened as what the person says") {
     const fs::path both = "/pictures/both.png";
     files.drop({both});
     CHECK_FALSE(files.answer);
-    files.ui.click("Take its settings");
+    files.ui.click("Use its settings");
     files.expect(both, false);
     files.drop({both});
     files.ui.click("Open as a picture");
@@ -102,7 +102,7 @@ TEST_CASE("a picture that holds settings is opened as what the person says") {
     files.ui.key(Key::escape);
     files.ui.frame();
     CHECK_FALSE(files.answer);
-    CHECK_FALSE(files.ui.has("Take its settings"));
+    CHECK_FALSE(files.ui.has("Use its settings"));
 }
 
 }  // namespace dapple

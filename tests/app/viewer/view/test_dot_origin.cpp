@@ -194,7 +194,7 @@ TEST_CASE("of a relaxed dot no tile is made up, and without thresholds nothing i
     CHECK_FALSE(dot->tile);
     const auto words = origin_in_words(*dot, with, 7);
     CHECK(words.front() == "Level 2, 1st of 12");
-    CHECK(words.back() == "Relaxing has moved it: its tile is not known");
+    CHECK(words.back() == "Moved by relaxation; tile unknown");
     drawing.steps = 0;
     dot = dot_under(drawing, with, page_point({0.5, 0.51}), 0.1);
     REQUIRE(dot);
