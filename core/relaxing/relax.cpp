@@ -10,7 +10,6 @@
 #include "core/relaxing/energy_steps.h"
 #include "core/relaxing/lloyd_steps.h"
 #include "core/relaxing/page_rows.h"
-#include "core/relaxing/random_bits.h"
 #include "core/relaxing/stir.h"
 
 namespace dapple {

@@ -9,7 +9,6 @@
 
 #include "core/placing/pieces.h"
 #include "core/placing/placer_memory.h"
-#include "core/relaxing/random_bits.h"
 
 namespace dapple {
 
