@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "core/placing/dot_stream.h"
+#include "core/placing/placer.h"
 #include "core/placing/dots.h"
 
 namespace dapple {

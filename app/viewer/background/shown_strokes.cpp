@@ -4,7 +4,7 @@
 #include <glm/common.hpp>
 #include <utility>
 
-#include "core/placing/dot_stream.h"
+#include "core/placing/placer.h"
 #include "core/routing/short_way.h"
 
 namespace dapple {
