@@ -16,7 +16,6 @@
 #include "core/image/dot_areas.h"
 #include "core/relaxing/blurred_density.h"
 #include "core/relaxing/dot_rows.h"
-#include "core/relaxing/page_rows.h"
 
 namespace dapple {
 

@@ -12,7 +12,6 @@
 
 #include "core/image/density.h"
 #include "core/relaxing/dot_rows.h"
-#include "core/relaxing/page_rows.h"
 #include "core/relaxing/voronoi_cell.h"
 
 namespace dapple {

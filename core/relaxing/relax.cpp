@@ -9,7 +9,7 @@
 #include "core/placing/placer_memory.h"
 #include "core/relaxing/energy_steps.h"
 #include "core/relaxing/lloyd_steps.h"
-#include "core/relaxing/page_rows.h"
+#include "core/relaxing/dot_rows.h"
 #include "core/relaxing/stir.h"
 
 namespace dapple {

@@ -26,7 +26,6 @@
 #include "core/image/grid.h"
 #include "core/image/ink.h"
 #include "core/relaxing/dot_rows.h"
-#include "core/relaxing/page_rows.h"
 
 namespace dapple {
 
