@@ -13,7 +13,7 @@
 #include <numbers>
 
 #include "core/image/density.h"
-#include "core/image/dot_areas.h"
+#include "core/image/detail.h"
 #include "core/relaxing/blurred_density.h"
 #include "core/relaxing/dot_rows.h"
 
