@@ -7,7 +7,7 @@
 
 #include "core/failure.h"
 #include "core/lights/light_list.h"
-#include "core/lights/light_picture.h"
+#include "core/lights/lit_objects.h"
 #include "core/maths/portable_math.h"
 #include "io/files/atomic_file.h"
 #include "io/files/png_file.h"
