@@ -7,7 +7,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "core/analysis/spectrum.h"
+#include "core/analysis/periodogram.h"
 #include "core/output/raster.h"
 #include "core/text/length.h"
 #include "core/text/shown_text.h"

@@ -15,7 +15,7 @@
 
 #include "core/analysis/domain.h"
 #include "core/analysis/report.h"
-#include "core/analysis/spectrum.h"
+#include "core/analysis/periodogram.h"
 #include "core/drawing/settings.h"
 #include "core/text/number_words.h"
 #include "io/available_memory.h"

@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "core/analysis/report.h"
-#include "core/analysis/spectrum.h"
+#include "core/analysis/periodogram.h"
 #include "core/output/drawing_format.h"
 #include "io/reports/plot.h"
 #include "lab/analysis/report_page.h"

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/analysis/spectrum.h"
+#include "core/analysis/periodogram.h"
 #include "core/drawing/settings.h"
 #include "core/screening/threshold_mask.h"
 #include "io/files/tile_library.h"

@@ -17,7 +17,6 @@
 
 #include "core/analysis/distances.h"
 #include "core/analysis/periodogram.h"
-#include "core/analysis/spectrum.h"
 #include "core/drawing/pipeline.h"
 #include "core/drawing/settings.h"
 #include "core/image/blur.h"
