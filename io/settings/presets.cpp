@@ -4,7 +4,7 @@
 
 #include "core/failure.h"
 #include "core/settings/drawing_fields.h"
-#include "core/settings/settings_text.h"
+#include "core/settings/fields.h"
 #include "core/text/shown_text.h"
 #include "io/files/text_file.h"
 #include "io/settings/xdg_folders.h"

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/settings/setting.h"
-#include "core/settings/settings_text.h"
+#include "core/settings/fields.h"
 
 namespace dapple {
 

@@ -11,7 +11,6 @@
 
 #include "core/settings/drawing_fields.h"
 #include "core/settings/fields.h"
-#include "core/settings/settings_text.h"
 #include "core/text/shown_text.h"
 #include "io/files/atomic_file.h"
 #include "io/settings/project.h"
