@@ -12,7 +12,6 @@
 #include "core/image/auto_tone.h"
 #include "core/image/detail.h"
 #include "core/relaxing/relax.h"
-#include "core/text/length.h"
 #include "core/text/number_words.h"
 #include "io/settings/palettes.h"
 

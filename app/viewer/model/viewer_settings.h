@@ -7,7 +7,7 @@
 #include "app/viewer/background/dots_request.h"
 #include "core/drawing/settings.h"
 #include "core/settings/fields.h"
-#include "core/text/length.h"
+#include "core/text/number_words.h"
 #include "core/text/names.h"
 
 namespace dapple {

@@ -22,7 +22,7 @@
 #include "core/image/tone.h"
 #include "core/output/sheet.h"
 #include "core/pens/pen.h"
-#include "core/text/length.h"
+#include "core/text/number_words.h"
 #include "io/settings/palettes.h"
 #include "io/settings/presets.h"
 

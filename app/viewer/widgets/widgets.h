@@ -22,7 +22,7 @@
 #include <vector>
 
 #include "core/settings/setting.h"
-#include "core/text/length.h"
+#include "core/text/number_words.h"
 
 namespace dapple {
 
