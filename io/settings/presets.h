@@ -1,6 +1,6 @@
 #pragma once
 // Presets: how drawings are made and saved, by a name, for any picture. Some come with the program; a
-// person's own are settings, as settings_text.h has them, in $XDG_CONFIG_HOME/dapple/presets/NAME.dapple.
+// person's own are settings, as fields.h has them, in $XDG_CONFIG_HOME/dapple/presets/NAME.dapple.
 
 #include <filesystem>
 #include <string>
