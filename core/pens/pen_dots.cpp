@@ -10,7 +10,6 @@
 #include "core/maths/portable_math.h"
 #include "core/placing/dot_order.h"
 #include "core/placing/pieces.h"
-#include "core/placing/placer_memory.h"
 #include "core/relaxing/relax.h"
 #include "core/routing/near_dots.h"
 

@@ -7,7 +7,7 @@
 
 #include "core/placing/dot_order.h"
 #include "core/placing/placer.h"
-#include "core/placing/placer_memory.h"
+#include "core/placing/pieces.h"
 
 namespace dapple {
 

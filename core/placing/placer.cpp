@@ -7,7 +7,7 @@
 #include <numeric>
 #include <utility>
 
-#include "core/placing/placer_memory.h"
+#include "core/placing/pieces.h"
 
 namespace dapple {
 

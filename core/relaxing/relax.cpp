@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "core/placing/pieces.h"
-#include "core/placing/placer_memory.h"
 #include "core/relaxing/energy_steps.h"
 #include "core/relaxing/lloyd_steps.h"
 #include "core/relaxing/dot_rows.h"

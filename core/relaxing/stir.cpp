@@ -8,7 +8,6 @@
 #include <numbers>
 
 #include "core/placing/pieces.h"
-#include "core/placing/placer_memory.h"
 
 namespace dapple {
 
