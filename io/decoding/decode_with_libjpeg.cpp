@@ -15,7 +15,7 @@
 #include <jpeglib.h>
 
 #include "io/decoding/decode.h"
-#include "io/decoding/exif_orientation.h"
+#include "io/decoding/decoded_image.h"
 #include "io/decoding/stored_pixels.h"
 
 namespace dapple {

@@ -15,7 +15,7 @@
 
 #include "io/decoding/code_points.h"
 #include "io/decoding/decode.h"
-#include "io/decoding/exif_orientation.h"
+#include "io/decoding/decoded_image.h"
 #include "io/decoding/png_calls.h"
 #include "io/decoding/stored_pixels.h"
 

@@ -2,6 +2,7 @@
 // A picture file's content on its way from a decoder: what comes first, then its rows.
 
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <span>
@@ -9,6 +10,20 @@
 #include <string>
 
 namespace dapple {
+
+// How the camera was held, as EXIF tells it: a TIFF's first directory, tag 274.
+
+/// The EXIF orientation, 1..8. 1 and any other number are upright; 5..8 swap width and height.
+struct ExifOrientation {
+    int value = 1;
+    bool swaps_sides() const { return value >= 5 && value <= 8; }
+    /// Where pixel (x, y) of a stored picture of the given size belongs when it is held upright.
+    glm::ivec2 upright(int x, int y, int width, int height) const;
+};
+
+/// The orientation, 1..8, in an EXIF block without what its file puts before it. 1, upright, if there is none
+/// or it is damaged.
+int orientation_in(std::span<const unsigned char> exif);
 
 inline constexpr std::int64_t kUsualPixels = 400'000'000;
 inline constexpr std::int64_t kAnyPixels = INT64_MAX;

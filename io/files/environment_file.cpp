@@ -10,7 +10,7 @@
 
 #include "core/text/shown_text.h"
 #include "io/decoding/decoder_process.h"
-#include "io/decoding/exif_orientation.h"
+#include "io/decoding/decoded_image.h"
 
 namespace dapple {
 
