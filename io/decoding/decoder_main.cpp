@@ -19,7 +19,6 @@
 #include "io/decoding/decoder_sandbox.h"
 #include "io/decoding/image_pipe.h"
 #include "io/decoding/stored_pixels.h"
-#include "io/decoding/window_sink.h"
 
 int main(int argc, char** argv) {
     using namespace dapple;
