@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "io/decoding/code_points.h"
+#include "io/decoding/colour_profile.h"
 #include "io/decoding/decode.h"
 #include "io/decoding/stored_pixels.h"
 

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "io/decoding/code_points.h"
+#include "io/decoding/colour_profile.h"
 #include "io/decoding/decode.h"
 #include "io/decoding/decoded_image.h"
 #include "io/decoding/png_calls.h"
