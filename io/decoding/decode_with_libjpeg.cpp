@@ -14,7 +14,6 @@
 // After <cstdio>, which it needs.
 #include <jpeglib.h>
 
-#include "io/decoding/decode.h"
 #include "io/decoding/decoded_image.h"
 #include "io/decoding/stored_pixels.h"
 

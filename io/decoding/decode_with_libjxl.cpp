@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "io/decoding/colour_profile.h"
-#include "io/decoding/decode.h"
+#include "io/decoding/decoded_image.h"
 #include "io/decoding/stored_pixels.h"
 
 namespace dapple {

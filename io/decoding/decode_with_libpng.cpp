@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "io/decoding/colour_profile.h"
-#include "io/decoding/decode.h"
 #include "io/decoding/decoded_image.h"
 #include "io/decoding/png_calls.h"
 #include "io/decoding/stored_pixels.h"

@@ -2,12 +2,16 @@
 // A picture file's content on its way from a decoder: what comes first, then its rows.
 
 #include <cstdint>
+#include <functional>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
+
+#include "io/decoding/decoder_limits.h"
+#include "io/decoding/picture_format.h"
 
 namespace dapple {
 
@@ -82,5 +86,16 @@ struct TooManyPixels : DecodeError {
 
 /// Throws TooManyPixels, or DecodeError for what no picture has (no pixels, hundreds of channels).
 void check_size(std::int64_t width, std::int64_t height, int channels, const DecodeRequest& request);
+
+// Decoding with a library: each decoder program is linked with one of the functions that do it.
+
+/// Called when the size is known, before the pixels are read, and before that with what a file merely states,
+/// which is no less.
+using BeforePixels = std::function<void(const PixelBytes&)>;
+
+/// Reads the picture behind an open file descriptor, which stays open. Throws DecodeError with a sentence
+/// that does not name the file; what the sink throws passes through.
+void decode(int file, PictureFormat format, const DecodeRequest& request, const BeforePixels& before_pixels,
+            ImageSink& sink);
 
 }  // namespace dapple

@@ -14,7 +14,7 @@
 #include <string_view>
 
 #include "core/text/number_words.h"
-#include "io/decoding/decode.h"
+#include "io/decoding/decoded_image.h"
 #include "io/decoding/decoder_limits.h"
 #include "io/decoding/decoder_sandbox.h"
 #include "io/decoding/image_pipe.h"
