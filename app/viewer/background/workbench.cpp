@@ -5,7 +5,7 @@
 #include <exception>
 #include <new>
 
-#include "app/viewer/background/mipmaps.h"
+#include "app/viewer/background/small_pictures.h"
 #include "io/files/tile_library.h"
 
 #ifdef __GLIBC__

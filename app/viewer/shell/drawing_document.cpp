@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "app/viewer/background/mipmaps.h"
 #include "app/viewer/background/small_pictures.h"
 #include "app/viewer/canvas/page_frame.h"
 #include "app/viewer/canvas/pane_view.h"
