@@ -13,7 +13,7 @@
 
 #include "app/viewer/model/banner.h"
 #include "app/viewer/model/compared_panes.h"
-#include "app/viewer/model/played_film.h"
+#include "app/viewer/model/session.h"
 #include "app/viewer/model/variations.h"
 #include "app/viewer/panels/shortcuts.h"
 #include "app/viewer/view/loupe_square.h"
