@@ -10,7 +10,7 @@
 #include <span>
 #include <string>
 
-#include "app/viewer/background/tile_view.h"
+#include "app/viewer/background/workbench.h"
 #include "app/viewer/model/viewer_settings.h"
 #include "app/viewer/panels/shortcuts.h"
 #include "app/viewer/view/view_analysis.h"
