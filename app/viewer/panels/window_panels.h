@@ -13,8 +13,11 @@
 
 #include "app/viewer/model/banner.h"
 #include "app/viewer/model/compared_panes.h"
+#include "app/viewer/model/export_estimate.h"
+#include "app/viewer/model/lit_map.h"
 #include "app/viewer/model/session.h"
 #include "app/viewer/model/variations.h"
+#include "app/viewer/panels/method_panels.h"
 #include "app/viewer/panels/shortcuts.h"
 #include "app/viewer/view/loupe_square.h"
 #include "app/viewer/widgets/picture_entry.h"
@@ -22,6 +25,7 @@
 #include "app/viewer/widgets/widgets.h"
 #include "core/placing/page.h"
 #include "core/text/number_words.h"
+#include "io/files/save_lights.h"
 
 namespace dapple {
 
@@ -204,5 +208,24 @@ bool draw_preferences_panel(bool& open, Appearance& appearance, bool& desktop_di
 
 /// Version, licence, and the libraries it stands on with theirs.
 void draw_about_panel(bool& open);
+
+// What the file dialog asks beside a name when a drawing is saved.
+
+/// What goes with a format: the order of the dots, paper, resolution; and how large the file will be. True
+/// while something changes.
+bool draw_export_panel(ViewerSettings& settings, DrawingFormat format, const ExportInfo& info);
+
+/// "about 24 MB, 400,000 dots".
+std::string size_in_words(const ExportInfo& info);
+
+// The column beside an environment map: its samples, its view, how good they are.
+
+/// Sections "Samples" and "View", and the figures. True while something changes. `tiles` can be chosen from.
+/// Without them the samples are still being taken, and it says so in their place.
+bool draw_lights_panel(LightsSettings& settings, const std::optional<LightsInfo>& info,
+                       const TileList& tiles);
+
+/// What goes with a kind of file: the axes of its directions. True when another is chosen.
+bool draw_light_export_panel(LightsSettings& settings, LightFile format);
 
 }  // namespace dapple

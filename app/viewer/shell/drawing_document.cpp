@@ -11,7 +11,7 @@
 #include "app/viewer/canvas/page_frame.h"
 #include "app/viewer/canvas/pane_view.h"
 #include "app/viewer/desktop/pasted_picture.h"
-#include "app/viewer/panels/export_panel.h"
+#include "app/viewer/panels/window_panels.h"
 #include "app/viewer/panels/settings_panels.h"
 #include "app/viewer/shell/lights_document.h"
 #include "app/viewer/shell/status_log.h"

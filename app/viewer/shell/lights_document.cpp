@@ -7,7 +7,6 @@
 #include <string>
 #include <utility>
 
-#include "app/viewer/panels/lights_panel.h"
 #include "app/viewer/panels/side_panel.h"
 #include "app/viewer/panels/window_panels.h"
 #include "app/viewer/shell/window.h"

@@ -12,8 +12,6 @@
 #include <vector>
 
 #include "app/viewer/model/history.h"
-#include "app/viewer/panels/export_panel.h"
-#include "app/viewer/panels/lights_panel.h"
 #include "app/viewer/panels/method_panels.h"
 #include "app/viewer/panels/settings_panels.h"
 #include "app/viewer/panels/window_panels.h"
