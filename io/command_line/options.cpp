@@ -14,6 +14,7 @@
 #include "core/relaxing/relax.h"
 #include "core/text/number_words.h"
 #include "io/settings/palettes.h"
+#include "io/settings/xdg_folders.h"
 
 namespace dapple {
 namespace {
@@ -65,7 +66,7 @@ PenChoice pens_in(const std::string& text) {
     if (text.find('#') == std::string::npos && std::filesystem::is_regular_file(text, error))
         return read_pens(text);
     if (is_pen_name(text) && !names_pen_set(text))
-        return own_pens(palette_named(text, palettes_folder()).pens);
+        return own_pens(palette_named(text, within_folder(config_folder(), "palettes")).pens);
     return parse_pens(text);
 }
 

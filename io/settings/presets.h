@@ -35,7 +35,4 @@ void remove_preset(const std::string& name, const std::filesystem::path& folder)
 /// A preset's settings, except for what is the picture's own: its crop, its turns, its exposure, its mask.
 DrawingSettings with_preset(const DrawingSettings& preset, const DrawingSettings& present);
 
-/// Where a person's own are: below config_folder(); empty if there is none.
-std::filesystem::path presets_folder();
-
 }  // namespace dapple

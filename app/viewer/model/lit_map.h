@@ -17,6 +17,25 @@
 
 namespace dapple {
 
+/// How samples are shown on the map.
+enum class SampleMarks {
+    points,
+    areas,  // outlines of what is nearer to each than to any other
+    none,
+};
+
+/// All that the window of an environment map edits.
+struct LightsSettings {
+    LightRequest request{};
+    std::string tile = "paper16";
+    double stops = 0;         // exposure over the natural one
+    double turn_degrees = 0;  // of the map about the up axis, -180..180
+    SampleMarks marks = SampleMarks::points;
+    std::optional<SphereConvention> convention{};  // of a file; none: the one usual for its kind
+
+    bool operator==(const LightsSettings&) const = default;
+};
+
 /// How well the samples stand for the map.
 struct LightsInfo {
     double place_ms = 0, share_ms = 0;
@@ -44,26 +63,5 @@ struct SampledMap {
 };
 /// Nothing if stopped. Throws std::runtime_error if the tile or its samples cannot be had.
 std::optional<SampledMap> sampled(const LitMap& lit, const LightsSettings& settings, const Watch& watch = {});
-
-// All that the window of an environment map edits, as one value.
-
-/// How samples are shown on the map.
-enum class SampleMarks {
-    points,
-    areas,  // outlines of what is nearer to each than to any other
-    none,
-};
-
-/// All that the window of an environment map edits.
-struct LightsSettings {
-    LightRequest request{};
-    std::string tile = "paper16";
-    double stops = 0;         // exposure over the natural one
-    double turn_degrees = 0;  // of the map about the up axis, -180..180
-    SampleMarks marks = SampleMarks::points;
-    std::optional<SphereConvention> convention{};  // of a file; none: the one usual for its kind
-
-    bool operator==(const LightsSettings&) const = default;
-};
 
 }  // namespace dapple

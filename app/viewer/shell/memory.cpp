@@ -14,6 +14,7 @@
 #include "core/text/shown_text.h"
 #include "io/files/atomic_file.h"
 #include "io/settings/project.h"
+#include "io/settings/xdg_folders.h"
 
 namespace dapple {
 
@@ -151,8 +152,8 @@ std::vector<fs::path> with_recent(const fs::path& file, std::vector<fs::path> re
 }
 
 Memory::Memory(const fs::path& config_folder, const fs::path& state_folder)
-    : preferences_file_(config_folder.empty() ? fs::path() : config_folder / "preferences.json"),
-      state_file_(state_folder.empty() ? fs::path() : state_folder / "state.json") {
+    : preferences_file_(within_folder(config_folder, "preferences.json")),
+      state_file_(within_folder(state_folder, "state.json")) {
     read_or_move_aside(preferences_file_, preferences, trouble_);
     read_or_move_aside(state_file_, state, trouble_);
     known_preferences_ = preferences;
