@@ -32,8 +32,7 @@ class SquareEmitter {
     /// order. `beyond_caches`: the drawing will be larger than the caches.
     SquareEmitter(const Traversal& traversal, Dots& dots, EmitterMemory& memory, bool beyond_caches = false);
     ~SquareEmitter();
-    SquareEmitter(const SquareEmitter&) = delete;
-    SquareEmitter& operator=(const SquareEmitter&) = delete;
+    SquareEmitter& operator=(SquareEmitter&&) = delete;
 
     /// The dots that the square itself brings; where the recursion ends, all there are in it.
     void emit(const Visit& visit, bool ends);

@@ -104,8 +104,7 @@ class Energies {
             for (const double x : across_.value)
                 kernel_.push_back(static_cast<std::int32_t>(std::lround(kUnit * x * y)));
     }
-    Energies(const Energies&) = delete;
-    Energies& operator=(const Energies&) = delete;
+    Energies& operator=(Energies&&) = delete;
 
     void ink(std::size_t pixel) { change(pixel, 1); }
     void clear(std::size_t pixel) { change(pixel, -1); }

@@ -83,8 +83,7 @@ class Heading {
         : app_(app), before_(app.option_defaults()->get_group()) {
         app.option_defaults()->group(title);
     }
-    Heading(const Heading&) = delete;
-    Heading& operator=(const Heading&) = delete;
+    Heading& operator=(Heading&&) = delete;
     ~Heading() { app_.option_defaults()->group(before_); }
 
  private:

@@ -30,8 +30,7 @@ class ColourProfile {
     /// otherwise 3. A profile for another number of values, or a damaged one, counts for nothing, and so does
     /// one that says what the usual encoding says, as most do.
     ColourProfile(std::string_view icc, int values, const Encoding& usual);
-    ColourProfile(const ColourProfile&) = delete;
-    ColourProfile& operator=(const ColourProfile&) = delete;
+    ColourProfile& operator=(ColourProfile&&) = delete;
     ~ColourProfile();
 
     /// Whether it counts.

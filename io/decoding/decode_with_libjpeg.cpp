@@ -51,8 +51,7 @@ class JpegReader {
         jpeg_stdio_src(&jpeg_, file_);
         for (const int marker : {JPEG_APP0 + 1, JPEG_APP0 + 2}) jpeg_save_markers(&jpeg_, marker, 0xffff);
     }
-    JpegReader(const JpegReader&) = delete;
-    JpegReader& operator=(const JpegReader&) = delete;
+    JpegReader& operator=(JpegReader&&) = delete;
     ~JpegReader() {
         jpeg_destroy_decompress(&jpeg_);
         std::fclose(file_);

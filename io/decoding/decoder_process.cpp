@@ -243,8 +243,7 @@ Descriptor above(const Descriptor& file) {
 class Actions {
  public:
     Actions() { posix_spawn_file_actions_init(&actions_); }
-    Actions(const Actions&) = delete;
-    Actions& operator=(const Actions&) = delete;
+    Actions& operator=(Actions&&) = delete;
     ~Actions() { posix_spawn_file_actions_destroy(&actions_); }
     void open(int as, const char* path, int flags) {
         posix_spawn_file_actions_addopen(&actions_, as, path, flags, 0);
@@ -306,8 +305,7 @@ class Process {
                                         decoder_environment().data());
         if (error != 0) throw DecodeError("cannot be read: " + name + " does not start: " + reason(error));
     }
-    Process(const Process&) = delete;
-    Process& operator=(const Process&) = delete;
+    Process& operator=(Process&&) = delete;
     ~Process() {
         if (id_ <= 0) return;
         end();

@@ -50,8 +50,7 @@ class Child {
         if (error != 0)
             throw child_error(words[0], "cannot be started: " + std::generic_category().message(error));
     }
-    Child(const Child&) = delete;
-    Child& operator=(const Child&) = delete;
+    Child& operator=(Child&&) = delete;
     ~Child() {
         if (id_ <= 0) return;
         ::kill(id_, SIGKILL);
