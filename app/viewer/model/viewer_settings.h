@@ -7,8 +7,8 @@
 #include "app/viewer/background/dots_request.h"
 #include "core/drawing/settings.h"
 #include "core/settings/fields.h"
-#include "core/text/number_words.h"
 #include "core/text/names.h"
+#include "core/text/number_words.h"
 
 namespace dapple {
 
@@ -78,5 +78,11 @@ DotsRequest dots_request(const ViewerSettings& settings);
 
 /// "drawing", "saving" and, for the window alone, "view".
 void describe(Fields& fields, ViewerSettings& settings);
+
+/// Whose dialog asks for a file to open; where the desktop has none, our own.
+enum class DialogChoice { own, desktop };
+constexpr auto names_of(DialogChoice) {
+    return names("own", "desktop");
+}
 
 }  // namespace dapple

@@ -42,12 +42,6 @@ class StartMark {
     bool was_left_ = false;
 };
 
-/// Whose dialog asks for a file to open; where the desktop has none, our own.
-enum class DialogChoice { own, desktop };
-constexpr auto names_of(DialogChoice) {
-    return names("own", "desktop");
-}
-
 struct Preferences {
     Appearance appearance = {};
     DialogChoice dialog = DialogChoice::desktop;
