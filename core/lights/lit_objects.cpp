@@ -92,25 +92,29 @@ std::vector<DistantLight> texel_lights(const EnvironmentMap& map) {
     return lights;
 }
 
-std::vector<DistantLight> block_lights(const EnvironmentMap& map, int texels_a_side) {
-    const auto block = [&](int left, int top) {
-        glm::dvec3 weight{}, moment{};
-        for (int y = top; y < std::min(top + texels_a_side, map.height()); ++y) {
-            for (int x = left; x < std::min(left + texels_a_side, map.width()); ++x) {
-                const glm::dvec3 light = glm::dvec3(map.radiance().at(x, y)) * map.solid_angle(y);
-                const glm::dvec2 uv{(x + 0.5) / map.width(), (y + 0.5) / map.height()};
-                weight += light;
-                moment += luminance(light) * direction_of(uv, SphereConvention::openexr);
-            }
+DistantLight block_light(const EnvironmentMap& map, glm::ivec2 low, glm::ivec2 high) {
+    DistantLight light;
+    for (int y = low.y; y < high.y; ++y) {
+        for (int x = low.x; x < high.x; ++x) {
+            const glm::dvec3 flux = glm::dvec3(map.radiance().at(x, y)) * map.solid_angle(y);
+            const glm::dvec2 uv{(x + 0.5) / map.width(), (y + 0.5) / map.height()};
+            light.weight += flux;
+            light.direction += luminance(flux) * direction_of(uv, SphereConvention::openexr);
         }
-        return DistantLight{moment, weight};
-    };
+    }
+    const double length = glm::length(light.direction);
+    light.direction = length > 0 ? light.direction / length : glm::dvec3{};
+    return light;
+}
+
+std::vector<DistantLight> block_lights(const EnvironmentMap& map, int texels_a_side) {
+    const glm::ivec2 size(map.width(), map.height());
     std::vector<DistantLight> lights;
-    for (int y = 0; y < map.height(); y += texels_a_side) {
-        for (int x = 0; x < map.width(); x += texels_a_side) {
-            const DistantLight light = block(x, y);
-            if (light.direction == glm::dvec3{}) continue;
-            lights.push_back({glm::normalize(light.direction), light.weight});
+    for (int y = 0; y < size.y; y += texels_a_side) {
+        for (int x = 0; x < size.x; x += texels_a_side) {
+            const glm::ivec2 low(x, y);
+            const DistantLight light = block_light(map, low, glm::min(low + texels_a_side, size));
+            if (light.direction != glm::dvec3{}) lights.push_back(light);
         }
     }
     return lights;

@@ -40,7 +40,11 @@ struct DistantLight {
 /// OpenEXR; black ones left out.
 std::vector<DistantLight> texel_lights(const EnvironmentMap& map);
 
-/// A light for each block of so many texels a side, with all their light, from its centre of gravity: for
+/// A light with all that texels from `low` up to `high` have, from its centre of gravity; that has no
+/// direction if they are black.
+DistantLight block_light(const EnvironmentMap& map, glm::ivec2 low, glm::ivec2 high);
+
+/// Such a light for each block of so many texels a side, black ones left out: for
 /// maps whose texels are far finer than anything that a surface shows of them.
 std::vector<DistantLight> block_lights(const EnvironmentMap& map, int texels_a_side);
 

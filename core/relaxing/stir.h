@@ -11,6 +11,7 @@
 #include <glm/vec2.hpp>
 
 #include "core/image/density.h"
+#include "core/maths/portable_math.h"
 #include "core/placing/dots.h"
 #include "core/placing/placing_table.h"
 #include "core/relaxing/relax.h"
@@ -19,19 +20,13 @@ namespace dapple {
 
 // Chance that follows from where a dot is, the same for any order of work.
 
-/// Bits that look random (Steele, Lea & Flood 2014, SplitMix).
-inline std::uint64_t mixed(std::uint64_t bits) {
-    bits += 0x9e3779b97f4a7c15;
-    bits = (bits ^ bits >> 30) * 0xbf58476d1ce4e5b9;
-    bits = (bits ^ bits >> 27) * 0x94d049bb133111eb;
-    return bits ^ bits >> 31;
-}
-
 /// From 0 to below 1, by place and time.
 inline float chance_at(float x, float y, int step) {
     const std::uint64_t place =
         std::uint64_t{std::bit_cast<std::uint32_t>(x)} << 32 | std::bit_cast<std::uint32_t>(y);
-    return static_cast<float>(mixed(mixed(place) + static_cast<std::uint64_t>(step)) >> 40) * 0x1p-24f;
+    return static_cast<float>(portable::mixed(portable::mixed(place) + static_cast<std::uint64_t>(step)) >>
+                              40) *
+           0x1p-24f;
 }
 
 /// Whether a dot goes from where there is so much ink to where there is so much, by that chance: the seldomer
