@@ -1,6 +1,10 @@
 #include "io/decoding/decoded_image.h"
 
+#include <sys/types.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <array>
 #include <cstddef>
 
 #include "core/text/number_words.h"
@@ -12,6 +16,17 @@ glm::ivec2 ExifOrientation::upright(int x, int y, int width, int height) const {
                mirrored_y = value == 3 || value == 4 || value == 6 || value == 7;
     const glm::ivec2 to(mirrored_x ? width - 1 - x : x, mirrored_y ? height - 1 - y : y);
     return swaps_sides() ? glm::ivec2(to.y, to.x) : to;
+}
+
+std::uint64_t number_in_file(int file, std::uint64_t at, int bytes, bool big_endian) {
+    std::array<unsigned char, 8> read{};
+    if (at > INT64_MAX ||
+        ::pread(file, read.data(), static_cast<std::size_t>(bytes), static_cast<off_t>(at)) != bytes)
+        return 0;
+    std::uint64_t number = 0;
+    for (int i = 0; i < bytes; ++i)
+        number = number << 8 | read[static_cast<std::size_t>(big_endian ? i : bytes - 1 - i)];
+    return number;
 }
 
 int orientation_in(std::span<const unsigned char> exif) {

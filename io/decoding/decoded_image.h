@@ -25,6 +25,9 @@ struct ExifOrientation {
     glm::ivec2 upright(int x, int y, int width, int height) const;
 };
 
+/// Some bytes of an open file as a whole number; 0 where it ends before.
+std::uint64_t number_in_file(int file, std::uint64_t at, int bytes, bool big_endian = true);
+
 /// The orientation, 1..8, in an EXIF block without what its file puts before it. 1, upright, if there is none
 /// or it is damaged.
 int orientation_in(std::span<const unsigned char> exif);
