@@ -16,7 +16,6 @@
 #include "app/viewer/background/dots_request.h"
 #include "app/viewer/model/banner.h"
 #include "app/viewer/model/crop_percent.h"
-#include "app/viewer/model/drawn_info.h"
 #include "app/viewer/model/history.h"
 #include "app/viewer/model/mask_brush.h"
 #include "app/viewer/model/pane.h"

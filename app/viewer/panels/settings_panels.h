@@ -11,7 +11,7 @@
 
 #include "app/viewer/model/banner.h"
 #include "app/viewer/model/crop_percent.h"
-#include "app/viewer/model/drawn_info.h"
+#include "app/viewer/model/viewer_settings.h"
 #include "app/viewer/model/mask_brush.h"
 #include "app/viewer/model/pane.h"
 #include "app/viewer/panels/window_panels.h"
