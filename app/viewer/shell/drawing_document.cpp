@@ -14,7 +14,7 @@
 #include "app/viewer/panels/window_panels.h"
 #include "app/viewer/panels/settings_panels.h"
 #include "app/viewer/shell/lights_document.h"
-#include "app/viewer/shell/status_log.h"
+#include "app/viewer/shell/document.h"
 #include "app/viewer/shell/window.h"
 #include "app/viewer/widgets/keys.h"
 #include "app/viewer/widgets/widgets.h"

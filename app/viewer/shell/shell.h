@@ -13,7 +13,6 @@
 #include "app/viewer/shell/document.h"
 #include "app/viewer/shell/kept_drawings.h"
 #include "app/viewer/shell/memory.h"
-#include "app/viewer/shell/status_log.h"
 #include "app/viewer/shell/window.h"
 #include "app/viewer/widgets/widgets.h"
 
