@@ -13,7 +13,7 @@
 #include <optional>
 #include <utility>
 
-#include "core/image/blur.h"
+#include "core/image/detail.h"
 #include "core/image/tone.h"
 #include "core/lines/line_field.h"
 

@@ -19,7 +19,7 @@
 #include "core/analysis/periodogram.h"
 #include "core/drawing/pipeline.h"
 #include "core/drawing/settings.h"
-#include "core/image/blur.h"
+#include "core/image/detail.h"
 #include "core/pens/pen_dots.h"
 #include "io/files/picture.h"
 #include "io/files/tile_library.h"
