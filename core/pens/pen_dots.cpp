@@ -373,8 +373,7 @@ DotPieces pen_dots(const DotPieces& placed, const PenDensities& densities, const
         pieces.pieces[pen].pen = static_cast<int>(pen);
     for (std::size_t i = 0; i < dots.size(); ++i) {
         Dots& piece = pieces.pieces[labels[i]];
-        for (FloatBuffer Dots::*column :
-             {&Dots::x, &Dots::y, &Dots::threshold, &Dots::critical, &Dots::radius})
+        for (const auto column : kDotColumns)
             if (!(dots.*column).empty()) (piece.*column).push_back((dots.*column)[i]);
     }
     return pieces;

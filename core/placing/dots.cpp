@@ -42,14 +42,8 @@ void Dots::reserve(std::size_t count, bool thresholds) {
 }
 
 void append(Dots& to, const Dots& more) {
-    const auto add = [](FloatBuffer& column, const FloatBuffer& end) {
-        column.insert(column.end(), end.begin(), end.end());
-    };
-    add(to.x, more.x);
-    add(to.y, more.y);
-    add(to.threshold, more.threshold);
-    add(to.critical, more.critical);
-    add(to.radius, more.radius);
+    for (const auto column : kDotColumns)
+        (to.*column).insert((to.*column).end(), (more.*column).begin(), (more.*column).end());
 }
 
 std::size_t DotPieces::size() const {

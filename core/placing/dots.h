@@ -61,6 +61,10 @@ struct Dots {
     void reserve(std::size_t count, bool thresholds);
 };
 
+/// For whatever is done to all of them alike.
+inline constexpr FloatBuffer Dots::*kDotColumns[] = {&Dots::x, &Dots::y, &Dots::threshold, &Dots::critical,
+                                                     &Dots::radius};
+
 void append(Dots& to, const Dots& more);
 
 /// A drawing's dots in their order, piece after piece: threads place them side by side, and nothing is moved

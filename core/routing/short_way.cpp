@@ -819,11 +819,11 @@ std::vector<std::uint32_t> short_way(std::span<const float> x, std::span<const f
 
 void shorten_way(Dots& dots, const Watch& watch) {
     const std::vector<std::uint32_t> order = short_way(dots.x, dots.y, watch);
-    for (FloatBuffer* column : {&dots.x, &dots.y, &dots.threshold, &dots.critical, &dots.radius}) {
-        if (column->empty()) continue;
-        FloatBuffer sorted(column->size());
-        for (std::size_t i = 0; i < order.size(); ++i) sorted[i] = (*column)[order[i]];
-        *column = std::move(sorted);
+    for (const auto column : kDotColumns) {
+        if ((dots.*column).empty()) continue;
+        FloatBuffer sorted((dots.*column).size());
+        for (std::size_t i = 0; i < order.size(); ++i) sorted[i] = (dots.*column)[order[i]];
+        dots.*column = std::move(sorted);
     }
 }
 
