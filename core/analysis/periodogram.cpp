@@ -46,33 +46,6 @@ Grid<float> shrunk(const Periodogram& spectrum, int bins_per_pixel) {
     return powers;
 }
 
-}  // namespace
-
-Grid<glm::u8vec3> spectrum_picture(const Periodogram& spectrum, int longer_side) {
-    const int bins = 2 * std::max(spectrum.max_x, spectrum.max_y) + 1;
-    const int bins_per_pixel = (bins + longer_side - 1) / longer_side;
-    const Grid<float> powers = shrunk(spectrum, std::max(bins_per_pixel, 1));
-    const int times = std::max(1, longer_side / std::max(powers.width, powers.height));
-
-    Grid<glm::u8vec3> picture(powers.width * times, powers.height * times);
-    for (int y = 0; y < picture.height; ++y)
-        for (int x = 0; x < picture.width; ++x) picture.at(x, y) = grey_of(powers.at(x / times, y / times));
-
-    const int margin = times < 3 ? 1 : 0;
-    for (int y = 0; y < powers.height; ++y)
-        for (int x = 0; x < powers.width; ++x) {
-            if (!(powers.at(x, y) > kPeakPower)) continue;
-            for (int v = std::max(0, y * times - margin);
-                 v < std::min(picture.height, (y + 1) * times + margin); ++v)
-                for (int u = std::max(0, x * times - margin);
-                     u < std::min(picture.width, (x + 1) * times + margin); ++u)
-                    picture.at(u, v) = kPeakColour;
-        }
-    return picture;
-}
-
-namespace {
-
 // Calls visit(i, j, P) once for each pair k, -k other than 0, i ascending.
 template <class Visit>
 void for_each_pair(const Periodogram& spectrum, Visit&& visit) {
@@ -84,92 +57,6 @@ void for_each_pair(const Periodogram& spectrum, Visit&& visit) {
 double decibel(double ratio) {
     return 10 * std::log10(std::max(ratio, 1e-10));
 }
-
-}  // namespace
-
-std::vector<Ring> radial_power(const Periodogram& spectrum) {
-    const double root_n = std::sqrt(double(spectrum.points));
-    const std::size_t count = std::size_t(spectrum.highest_frequency * root_n * (1 + 1e-12));
-    std::vector<Ring> rings(count);
-    std::vector<double> squares(count);
-    const auto ring_of = [&](int i, int j) {
-        return std::size_t(std::sqrt(spectrum.squared_frequency(i, j)) + 0.5) - 1;  // ring 0 wraps: no ring
-    };
-    for_each_pair(spectrum, [&](int i, int j, double power) {
-        const std::size_t r = ring_of(i, j);
-        if (r >= count) return;
-        rings[r].bins += 1;
-        rings[r].power += power;
-    });
-    for (std::size_t r = 0; r < count; ++r) {
-        rings[r].frequency = double(r + 1) / root_n;
-        if (rings[r].bins > 0) rings[r].power /= double(rings[r].bins);
-    }
-    // A second pass, since a difference of large sums would lose the variance of a flat ring.
-    for_each_pair(spectrum, [&](int i, int j, double power) {
-        const std::size_t r = ring_of(i, j);
-        if (r < count) squares[r] += (power - rings[r].power) * (power - rings[r].power);
-    });
-    for (std::size_t r = 0; r < count; ++r)
-        if (rings[r].bins > 1 && rings[r].power > 0)
-            rings[r].anisotropy_db =
-                decibel(squares[r] / double(rings[r].bins - 1) / (rings[r].power * rings[r].power));
-    return rings;
-}
-
-double low_frequency_power(const Periodogram& spectrum, double f, double from) {
-    const double limit = f * f * double(spectrum.points), least = from * from * double(spectrum.points);
-    double sum = 0;
-    std::size_t bins = 0;
-    for_each_pair(spectrum, [&](int i, int j, double power) {
-        const double squared = spectrum.squared_frequency(i, j);
-        if (!(squared >= least && squared < limit)) return;
-        sum += power;
-        ++bins;
-    });
-    return bins > 0 ? sum / double(bins) : 0;
-}
-
-Peaks spectral_peaks(const Periodogram& spectrum) {
-    const double n = double(spectrum.points);
-    Peaks peaks;
-    std::vector<float> powers;
-    for_each_pair(spectrum, [&](int i, int j, double power) {
-        const double squared = spectrum.squared_frequency(i, j);
-        if (!(squared > 0.25 * n && squared < 4 * n)) return;
-        powers.push_back(float(power));
-        if (power > peaks.highest_bin) {
-            peaks.highest_bin = power;
-            peaks.highest_x = i;
-            peaks.highest_y = j;
-        }
-    });
-    if (powers.empty() || peaks.highest_bin == 0) return peaks;
-    const std::size_t top = std::max<std::size_t>(1, powers.size() / 1000);
-    std::nth_element(powers.begin(), powers.begin() + std::ptrdiff_t(top), powers.end(), std::greater<>());
-    const double strongest = std::accumulate(powers.begin(), powers.begin() + std::ptrdiff_t(top), 0.0);
-    peaks.top_share =
-        strongest / std::accumulate(powers.begin() + std::ptrdiff_t(top), powers.end(), strongest);
-    return peaks;
-}
-
-double effective_nyquist(const std::vector<Ring>& rings, double threshold) {
-    double highest = 0;
-    for (std::size_t halves = 1; halves <= rings.size(); ++halves) {
-        // The disc holds the arc 2 acos(r / 2 f), 2 f = halves, of the circle of radius r about the origin;
-        // the half ring more gives the last ring a share.
-        double noise = 0, weight = 0;
-        for (std::size_t r = 1; r <= halves; ++r) {
-            const double arc = double(r) * std::acos(double(r) / (double(halves) + 0.5));
-            noise += arc * rings[r - 1].power;
-            weight += arc;
-        }
-        if (noise <= threshold * weight) highest = double(halves) * rings.front().frequency;
-    }
-    return highest;
-}
-
-namespace {
 
 constexpr double kTwoPi = 2 * std::numbers::pi;
 constexpr int kWidth = 10;  // cells a point is spread over, on each axis
@@ -305,6 +192,111 @@ int grid_size(int highest) {
 }
 
 }  // namespace
+
+Grid<glm::u8vec3> spectrum_picture(const Periodogram& spectrum, int longer_side) {
+    const int bins = 2 * std::max(spectrum.max_x, spectrum.max_y) + 1;
+    const int bins_per_pixel = (bins + longer_side - 1) / longer_side;
+    const Grid<float> powers = shrunk(spectrum, std::max(bins_per_pixel, 1));
+    const int times = std::max(1, longer_side / std::max(powers.width, powers.height));
+
+    Grid<glm::u8vec3> picture(powers.width * times, powers.height * times);
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x) picture.at(x, y) = grey_of(powers.at(x / times, y / times));
+
+    const int margin = times < 3 ? 1 : 0;
+    for (int y = 0; y < powers.height; ++y)
+        for (int x = 0; x < powers.width; ++x) {
+            if (!(powers.at(x, y) > kPeakPower)) continue;
+            for (int v = std::max(0, y * times - margin);
+                 v < std::min(picture.height, (y + 1) * times + margin); ++v)
+                for (int u = std::max(0, x * times - margin);
+                     u < std::min(picture.width, (x + 1) * times + margin); ++u)
+                    picture.at(u, v) = kPeakColour;
+        }
+    return picture;
+}
+
+std::vector<Ring> radial_power(const Periodogram& spectrum) {
+    const double root_n = std::sqrt(double(spectrum.points));
+    const std::size_t count = std::size_t(spectrum.highest_frequency * root_n * (1 + 1e-12));
+    std::vector<Ring> rings(count);
+    std::vector<double> squares(count);
+    const auto ring_of = [&](int i, int j) {
+        return std::size_t(std::sqrt(spectrum.squared_frequency(i, j)) + 0.5) - 1;  // ring 0 wraps: no ring
+    };
+    for_each_pair(spectrum, [&](int i, int j, double power) {
+        const std::size_t r = ring_of(i, j);
+        if (r >= count) return;
+        rings[r].bins += 1;
+        rings[r].power += power;
+    });
+    for (std::size_t r = 0; r < count; ++r) {
+        rings[r].frequency = double(r + 1) / root_n;
+        if (rings[r].bins > 0) rings[r].power /= double(rings[r].bins);
+    }
+    // A second pass, since a difference of large sums would lose the variance of a flat ring.
+    for_each_pair(spectrum, [&](int i, int j, double power) {
+        const std::size_t r = ring_of(i, j);
+        if (r < count) squares[r] += (power - rings[r].power) * (power - rings[r].power);
+    });
+    for (std::size_t r = 0; r < count; ++r)
+        if (rings[r].bins > 1 && rings[r].power > 0)
+            rings[r].anisotropy_db =
+                decibel(squares[r] / double(rings[r].bins - 1) / (rings[r].power * rings[r].power));
+    return rings;
+}
+
+double low_frequency_power(const Periodogram& spectrum, double f, double from) {
+    const double limit = f * f * double(spectrum.points), least = from * from * double(spectrum.points);
+    double sum = 0;
+    std::size_t bins = 0;
+    for_each_pair(spectrum, [&](int i, int j, double power) {
+        const double squared = spectrum.squared_frequency(i, j);
+        if (!(squared >= least && squared < limit)) return;
+        sum += power;
+        ++bins;
+    });
+    return bins > 0 ? sum / double(bins) : 0;
+}
+
+Peaks spectral_peaks(const Periodogram& spectrum) {
+    const double n = double(spectrum.points);
+    Peaks peaks;
+    std::vector<float> powers;
+    for_each_pair(spectrum, [&](int i, int j, double power) {
+        const double squared = spectrum.squared_frequency(i, j);
+        if (!(squared > 0.25 * n && squared < 4 * n)) return;
+        powers.push_back(float(power));
+        if (power > peaks.highest_bin) {
+            peaks.highest_bin = power;
+            peaks.highest_x = i;
+            peaks.highest_y = j;
+        }
+    });
+    if (powers.empty() || peaks.highest_bin == 0) return peaks;
+    const std::size_t top = std::max<std::size_t>(1, powers.size() / 1000);
+    std::nth_element(powers.begin(), powers.begin() + std::ptrdiff_t(top), powers.end(), std::greater<>());
+    const double strongest = std::accumulate(powers.begin(), powers.begin() + std::ptrdiff_t(top), 0.0);
+    peaks.top_share =
+        strongest / std::accumulate(powers.begin() + std::ptrdiff_t(top), powers.end(), strongest);
+    return peaks;
+}
+
+double effective_nyquist(const std::vector<Ring>& rings, double threshold) {
+    double highest = 0;
+    for (std::size_t halves = 1; halves <= rings.size(); ++halves) {
+        // The disc holds the arc 2 acos(r / 2 f), 2 f = halves, of the circle of radius r about the origin;
+        // the half ring more gives the last ring a share.
+        double noise = 0, weight = 0;
+        for (std::size_t r = 1; r <= halves; ++r) {
+            const double arc = double(r) * std::acos(double(r) / (double(halves) + 0.5));
+            noise += arc * rings[r - 1].power;
+            weight += arc;
+        }
+        if (noise <= threshold * weight) highest = double(halves) * rings.front().frequency;
+    }
+    return highest;
+}
 
 FourierSums exact_fourier_sums(std::span<const glm::dvec2> points, glm::dvec2 period, int max_x, int max_y,
                                std::stop_token stop) {

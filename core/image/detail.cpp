@@ -83,34 +83,6 @@ void blur_all(Grid<float>& grid, int count, int length, std::size_t step, std::s
     });
 }
 
-}  // namespace
-
-Grid<float> blurred(Grid<float> grid, double sigma) {
-    if (sigma <= 0) return grid;
-    const Box box = box_of_variance(sigma * sigma / kPasses);
-    const auto row = static_cast<std::size_t>(grid.width);
-    blur_all(grid, grid.height, grid.width, 1, row, box);
-    blur_all(grid, grid.width, grid.height, row, 1, box);
-    return grid;
-}
-
-Refinement::Refinement(const Mask& mask, const Framing& framing, glm::ivec2 picture) {
-    if (!mask.has_finer()) return;
-    mask_ = mask;
-    const Grid<std::uint8_t>& fineness = mask.fineness();
-    const glm::dvec2 share(double(fineness.width) / picture.x, double(fineness.height) / picture.y);
-    const double unit = std::max(framing.size().x, framing.size().y);
-    const auto in_mask = [&](glm::dvec2 framed) { return opened_pixel(framing, framed) * share; };
-    corner_ = in_mask({0, 0});
-    across_ = in_mask({unit, 0}) - corner_;
-    down_ = in_mask({0, unit}) - corner_;
-    const auto [least, most] = std::ranges::minmax(fineness.values);
-    least_times_ = times_finer(least);
-    most_times_ = times_finer(most);
-}
-
-namespace {
-
 constexpr float kGain = 1.5f, kEdge = 0.1f, kMost = 0.15f;
 
 // sRGB's curve and its inverse, straight between points so close that it makes no difference: the curve
@@ -211,6 +183,30 @@ float limited(float change) {
 }
 
 }  // namespace
+
+Grid<float> blurred(Grid<float> grid, double sigma) {
+    if (sigma <= 0) return grid;
+    const Box box = box_of_variance(sigma * sigma / kPasses);
+    const auto row = static_cast<std::size_t>(grid.width);
+    blur_all(grid, grid.height, grid.width, 1, row, box);
+    blur_all(grid, grid.width, grid.height, row, 1, box);
+    return grid;
+}
+
+Refinement::Refinement(const Mask& mask, const Framing& framing, glm::ivec2 picture) {
+    if (!mask.has_finer()) return;
+    mask_ = mask;
+    const Grid<std::uint8_t>& fineness = mask.fineness();
+    const glm::dvec2 share(double(fineness.width) / picture.x, double(fineness.height) / picture.y);
+    const double unit = std::max(framing.size().x, framing.size().y);
+    const auto in_mask = [&](glm::dvec2 framed) { return opened_pixel(framing, framed) * share; };
+    corner_ = in_mask({0, 0});
+    across_ = in_mask({unit, 0}) - corner_;
+    down_ = in_mask({0, unit}) - corner_;
+    const auto [least, most] = std::ranges::minmax(fineness.values);
+    least_times_ = times_finer(least);
+    most_times_ = times_finer(most);
+}
 
 double detail_sigma(double pixels, double dots) {
     const double sigma = 4 * std::sqrt(pixels / std::max(dots, 1.0));

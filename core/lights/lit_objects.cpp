@@ -37,6 +37,113 @@ void draw_disc(Grid<glm::u8vec3>& picture, glm::dvec2 centre, double radius, dou
     }
 }
 
+double to_the(unsigned exponent, double base) {
+    double power = 1;
+    for (; exponent > 0; exponent >>= 1, base *= base)
+        if (exponent & 1) power *= base;
+    return power;
+}
+
+constexpr int kGlossyRows = 36;   // a lobe of cosine^kGlossy is 19 degrees wide
+constexpr int kGroundSide = 64;   // places along each side of the ground's square
+constexpr double kLookDown = 50;  // degrees, on the ground
+
+glm::dvec2 place_of(const Grid<glm::dvec3>& values, int column, int row) {
+    return {(column + 0.5) / values.width, (row + 0.5) / values.height};
+}
+
+// Between four values, which are those of (column, row).
+glm::dvec3 bilinear(double x, double y, const auto& value) {
+    const int x0 = static_cast<int>(std::floor(x)), y0 = static_cast<int>(std::floor(y));
+    return glm::mix(glm::mix(value(x0, y0), value(x0 + 1, y0), x - x0),
+                    glm::mix(value(x0, y0 + 1), value(x0 + 1, y0 + 1), x - x0), y - y0);
+}
+
+std::vector<DistantLight> above_horizon(std::span<const DistantLight> lights) {
+    std::vector<DistantLight> above;
+    std::ranges::copy_if(lights, std::back_inserter(above),
+                         [](const DistantLight& light) { return light.direction.y > 0; });
+    return above;
+}
+
+// The ground's places about its middle.
+double ground_step() {
+    return 2 * ShadedGround::kRadius / (kGroundSide - 1);
+}
+
+// What is seen where a ray meets an object, and the share of the pixel that the object covers.
+struct Seen {
+    glm::dvec3 radiance{};
+    double covered = 0;
+};
+
+class Sight {
+ public:
+    Sight(const LitObjects& objects, const ObjectLook& look)
+        : objects_(objects),
+          look_(look),
+          centre_(look.size / 2.0),
+          radius_(std::max(look.size / 2.0 - 1, 0.5)),
+          down_(kLookDown * std::numbers::pi / 180) {}
+
+    Seen at(LitObject object, glm::dvec2 pixel) const {
+        const glm::dvec2 at = glm::dvec2(pixel.x - centre_, centre_ - pixel.y) / radius_;
+        switch (object) {
+            case LitObject::diffuse:
+                return sphere(at, radius_, 0, [&](glm::dvec3 normal, glm::dvec3) {
+                    return objects_.diffuse.at(turned(normal)) / std::numbers::pi;
+                });
+            case LitObject::glossy:
+                return sphere(at, radius_, 0, [&](glm::dvec3 normal, glm::dvec3 view) {
+                    const glm::dvec3 mirrored = view - 2 * glm::dot(view, normal) * normal;
+                    return objects_.glossy.at(turned(mirrored)) * ((kGlossy + 1) / (2 * std::numbers::pi));
+                });
+            case LitObject::shaded:
+                return shaded(at * ShadedGround::kRadius);
+        }
+        return {};
+    }
+
+ private:
+    // Of radius 1, as many pixels; who sees it looks down by an angle.
+    Seen sphere(glm::dvec2 at, double pixels, double down, const auto& radiance) const {
+        const double away = glm::length(at);
+        const double covered = std::clamp((1 - away) * pixels + 0.5, 0.0, 1.0);
+        if (away > 1) at /= away;
+        const double towards = std::sqrt(std::max(0.0, 1 - glm::dot(at, at)));
+        const glm::dvec3 right(-1, 0, 0), up(0, portable::cos(down), portable::sin(down)),
+            view(0, -portable::sin(down), portable::cos(down));
+        return {radiance(at.x * right + at.y * up - towards * view, view), covered};
+    }
+
+    Seen shaded(glm::dvec2 at) const {
+        const double a_radius = radius_ / ShadedGround::kRadius;  // pixels
+        const Seen ball = sphere(at - glm::dvec2(0, portable::cos(down_)), a_radius, down_,
+                                 [&](glm::dvec3 normal, glm::dvec3) {
+                                     return objects_.from_above.at(turned(normal)) / std::numbers::pi;
+                                 });
+        glm::dvec2 place(-at.x, at.y / portable::sin(down_));
+        const double away = glm::length(place);
+        // How fast it grows from pixel to pixel.
+        const double slope =
+            glm::length(glm::dvec2(place.x, place.y / portable::sin(down_))) / std::max(away, 1e-9);
+        const double covered =
+            away > 1 ? std::clamp((ShadedGround::kRadius - away) / slope * a_radius + 0.5, 0.0, 1.0) : 1;
+        if (away > ShadedGround::kRadius) place *= ShadedGround::kRadius / away;
+        const glm::dvec3 there = turned({place.x, 0, place.y});
+        const glm::dvec3 ground = objects_.ground.at({there.x, there.z}) / std::numbers::pi;
+        return {glm::mix(ground, ball.radiance, ball.covered), std::max(covered, ball.covered)};
+    }
+
+    glm::dvec3 turned(glm::dvec3 direction) const {
+        return turned_about_up(direction, -look_.turn_degrees, SphereConvention::openexr);
+    }
+
+    const LitObjects& objects_;
+    const ObjectLook& look_;
+    double centre_, radius_, down_;
+};
+
 }  // namespace
 
 double natural_exposure(const EnvironmentMap& map) {
@@ -120,17 +227,6 @@ std::vector<DistantLight> block_lights(const EnvironmentMap& map, int texels_a_s
     return lights;
 }
 
-namespace {
-
-double to_the(unsigned exponent, double base) {
-    double power = 1;
-    for (; exponent > 0; exponent >>= 1, base *= base)
-        if (exponent & 1) power *= base;
-    return power;
-}
-
-}  // namespace
-
 std::vector<glm::dvec3> irradiance(std::span<const DistantLight> lights, std::span<const glm::dvec3> normals,
                                    unsigned exponent) {
     std::vector<glm::dvec3> result(normals.size());
@@ -171,37 +267,6 @@ std::vector<glm::dvec3> fibonacci_normals(int count) {
     }
     return normals;
 }
-
-namespace {
-
-constexpr int kGlossyRows = 36;   // a lobe of cosine^kGlossy is 19 degrees wide
-constexpr int kGroundSide = 64;   // places along each side of the ground's square
-constexpr double kLookDown = 50;  // degrees, on the ground
-
-glm::dvec2 place_of(const Grid<glm::dvec3>& values, int column, int row) {
-    return {(column + 0.5) / values.width, (row + 0.5) / values.height};
-}
-
-// Between four values, which are those of (column, row).
-glm::dvec3 bilinear(double x, double y, const auto& value) {
-    const int x0 = static_cast<int>(std::floor(x)), y0 = static_cast<int>(std::floor(y));
-    return glm::mix(glm::mix(value(x0, y0), value(x0 + 1, y0), x - x0),
-                    glm::mix(value(x0, y0 + 1), value(x0 + 1, y0 + 1), x - x0), y - y0);
-}
-
-std::vector<DistantLight> above_horizon(std::span<const DistantLight> lights) {
-    std::vector<DistantLight> above;
-    std::ranges::copy_if(lights, std::back_inserter(above),
-                         [](const DistantLight& light) { return light.direction.y > 0; });
-    return above;
-}
-
-// The ground's places about its middle.
-double ground_step() {
-    return 2 * ShadedGround::kRadius / (kGroundSide - 1);
-}
-
-}  // namespace
 
 IrradianceMap::IrradianceMap(std::span<const DistantLight> lights, unsigned exponent, int rows)
     : values_(2 * rows, rows) {
@@ -258,83 +323,6 @@ LitObjects::LitObjects(std::span<const DistantLight> lights)
       glossy(lights, kGlossy, kGlossyRows),
       from_above(above_horizon(lights)),
       ground(lights) {}
-
-namespace {
-
-// What is seen where a ray meets an object, and the share of the pixel that the object covers.
-struct Seen {
-    glm::dvec3 radiance{};
-    double covered = 0;
-};
-
-class Sight {
- public:
-    Sight(const LitObjects& objects, const ObjectLook& look)
-        : objects_(objects),
-          look_(look),
-          centre_(look.size / 2.0),
-          radius_(std::max(look.size / 2.0 - 1, 0.5)),
-          down_(kLookDown * std::numbers::pi / 180) {}
-
-    Seen at(LitObject object, glm::dvec2 pixel) const {
-        const glm::dvec2 at = glm::dvec2(pixel.x - centre_, centre_ - pixel.y) / radius_;
-        switch (object) {
-            case LitObject::diffuse:
-                return sphere(at, radius_, 0, [&](glm::dvec3 normal, glm::dvec3) {
-                    return objects_.diffuse.at(turned(normal)) / std::numbers::pi;
-                });
-            case LitObject::glossy:
-                return sphere(at, radius_, 0, [&](glm::dvec3 normal, glm::dvec3 view) {
-                    const glm::dvec3 mirrored = view - 2 * glm::dot(view, normal) * normal;
-                    return objects_.glossy.at(turned(mirrored)) * ((kGlossy + 1) / (2 * std::numbers::pi));
-                });
-            case LitObject::shaded:
-                return shaded(at * ShadedGround::kRadius);
-        }
-        return {};
-    }
-
- private:
-    // Of radius 1, as many pixels; who sees it looks down by an angle.
-    Seen sphere(glm::dvec2 at, double pixels, double down, const auto& radiance) const {
-        const double away = glm::length(at);
-        const double covered = std::clamp((1 - away) * pixels + 0.5, 0.0, 1.0);
-        if (away > 1) at /= away;
-        const double towards = std::sqrt(std::max(0.0, 1 - glm::dot(at, at)));
-        const glm::dvec3 right(-1, 0, 0), up(0, portable::cos(down), portable::sin(down)),
-            view(0, -portable::sin(down), portable::cos(down));
-        return {radiance(at.x * right + at.y * up - towards * view, view), covered};
-    }
-
-    Seen shaded(glm::dvec2 at) const {
-        const double a_radius = radius_ / ShadedGround::kRadius;  // pixels
-        const Seen ball = sphere(at - glm::dvec2(0, portable::cos(down_)), a_radius, down_,
-                                 [&](glm::dvec3 normal, glm::dvec3) {
-                                     return objects_.from_above.at(turned(normal)) / std::numbers::pi;
-                                 });
-        glm::dvec2 place(-at.x, at.y / portable::sin(down_));
-        const double away = glm::length(place);
-        // How fast it grows from pixel to pixel.
-        const double slope =
-            glm::length(glm::dvec2(place.x, place.y / portable::sin(down_))) / std::max(away, 1e-9);
-        const double covered =
-            away > 1 ? std::clamp((ShadedGround::kRadius - away) / slope * a_radius + 0.5, 0.0, 1.0) : 1;
-        if (away > ShadedGround::kRadius) place *= ShadedGround::kRadius / away;
-        const glm::dvec3 there = turned({place.x, 0, place.y});
-        const glm::dvec3 ground = objects_.ground.at({there.x, there.z}) / std::numbers::pi;
-        return {glm::mix(ground, ball.radiance, ball.covered), std::max(covered, ball.covered)};
-    }
-
-    glm::dvec3 turned(glm::dvec3 direction) const {
-        return turned_about_up(direction, -look_.turn_degrees, SphereConvention::openexr);
-    }
-
-    const LitObjects& objects_;
-    const ObjectLook& look_;
-    double centre_, radius_, down_;
-};
-
-}  // namespace
 
 Grid<glm::u8vec4> object_picture(const LitObjects& objects, LitObject object, const ObjectLook& look) {
     Grid<glm::u8vec4> picture(look.size, look.size);

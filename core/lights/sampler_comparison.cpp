@@ -121,6 +121,31 @@ std::vector<DistantLight> own_lights(const EnvironmentMap& map, RankedTile& tile
     return lights;
 }
 
+// Halves change places, then the quarters of each, and so on: each bit is flipped or not by a random number
+// of its own for every value of the bits before it.
+double owen_scrambled(double coordinate, std::uint64_t seed) {
+    const auto bits = static_cast<std::uint32_t>(coordinate * 0x1p32);
+    std::uint32_t result = 0;
+    for (int bit = 31; bit >= 0; --bit) {
+        const std::uint64_t before = (std::uint64_t{1} << 32 | bits) >> bit >> 1;  // led by a 1
+        result |=
+            ((bits >> bit ^ static_cast<std::uint32_t>(portable::mixed(seed ^ portable::mixed(before)))) & 1)
+            << bit;
+    }
+    return result * 0x1p-32;
+}
+
+double slope_of(std::span<const std::uint64_t> counts, std::span<const RelativeError> errors) {
+    double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        if (!(errors[i].mean > 0)) continue;
+        const double x = portable::log(static_cast<double>(counts[i])), y = portable::log(errors[i].mean);
+        n += 1, sx += x, sy += y, sxx += x * x, sxy += x * y;
+    }
+    const double spread = n * sxx - sx * sx;
+    return spread > 0 ? (n * sxy - sx * sy) / spread : 0;
+}
+
 }  // namespace
 
 LightInversion::LightInversion(const EnvironmentMap& map)
@@ -184,24 +209,6 @@ std::vector<DistantLight> sampled_lights(const EnvironmentMap& map, RankedTile& 
     return lights;
 }
 
-namespace {
-
-// Halves change places, then the quarters of each, and so on: each bit is flipped or not by a random number
-// of its own for every value of the bits before it.
-double owen_scrambled(double coordinate, std::uint64_t seed) {
-    const auto bits = static_cast<std::uint32_t>(coordinate * 0x1p32);
-    std::uint32_t result = 0;
-    for (int bit = 31; bit >= 0; --bit) {
-        const std::uint64_t before = (std::uint64_t{1} << 32 | bits) >> bit >> 1;  // led by a 1
-        result |=
-            ((bits >> bit ^ static_cast<std::uint32_t>(portable::mixed(seed ^ portable::mixed(before)))) & 1)
-            << bit;
-    }
-    return result * 0x1p-32;
-}
-
-}  // namespace
-
 glm::dvec2 sobol_point(std::uint32_t index) {
     // The direction numbers of the second dimension, of the polynomial x + 1: each is the last one xor its
     // half. Those of the first are single bits.
@@ -217,21 +224,6 @@ glm::dvec2 sobol_point(std::uint32_t index) {
 glm::dvec2 scrambled(glm::dvec2 point, std::uint64_t seed) {
     return {owen_scrambled(point.x, portable::mixed(seed)), owen_scrambled(point.y, ~portable::mixed(seed))};
 }
-
-namespace {
-
-double slope_of(std::span<const std::uint64_t> counts, std::span<const RelativeError> errors) {
-    double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
-    for (std::size_t i = 0; i < counts.size(); ++i) {
-        if (!(errors[i].mean > 0)) continue;
-        const double x = portable::log(static_cast<double>(counts[i])), y = portable::log(errors[i].mean);
-        n += 1, sx += x, sy += y, sxx += x * x, sxy += x * y;
-    }
-    const double spread = n * sxx - sx * sx;
-    return spread > 0 ? (n * sxy - sx * sy) / spread : 0;
-}
-
-}  // namespace
 
 LightComparison compare_samplers(const EnvironmentMap& map, RankedTile& tile,
                                  const ComparisonRequest& request) {

@@ -73,6 +73,27 @@ class Stream : public PieceTaker {
     const TakePiece& take_;
 };
 
+// A tile of a level is a square `cell_depth` above the cells that make it up; its own orientation and kind
+// are found on the way.
+void collect(const Traversal& traversal, const QuadSquare& square, Orientation orientation, std::size_t kind,
+             std::vector<PlacedTile>& tiles) {
+    const PlacingTable& table = traversal.table();
+    if (!overlap(traversal.window(), traversal.area_of(square))) return;
+    const double ranks = std::ldexp(kDotsPerScale * traversal.request().scale, -2 * square.depth);
+    const double max = traversal.density().bounds(square).max;
+    if (ranks * max <= (square.depth == 0 ? 0.0 : static_cast<double>(table.tile_size))) return;
+    const glm::dvec2 corner = traversal.corner_in_window(square);
+    tiles.push_back({square.depth, corner.x, corner.y, std::ldexp(1.0, -square.depth), orientation});
+    if (table.next_kind.size() > 1) tiles.back().kind = kind;
+    // Its children appear with the first of their newborn points.
+    if (ranks * max <= static_cast<double>(table.tile_size) || square.depth >= kMaxDepth) return;
+    for (int q = 0; q < 4; ++q) {
+        const int placed = apply_to_quadrant(orientation, q);
+        collect(traversal, {square.depth + 1, 2 * square.x + (placed & 1), 2 * square.y + (placed >> 1)},
+                compose(orientation, table.rule.child[q]), table.next_kind[kind][q], tiles);
+    }
+}
+
 }  // namespace
 
 std::size_t threads_for(int wanted) {
@@ -143,31 +164,6 @@ bool Placer::hand_over(const Density& density, const PlacingRequest& request, co
     Stream stream(take);
     return hand_over_dots(Traversal(*table_, density, request), *memory_, stream, stop);
 }
-
-namespace {
-
-// A tile of a level is a square `cell_depth` above the cells that make it up; its own orientation and kind
-// are found on the way.
-void collect(const Traversal& traversal, const QuadSquare& square, Orientation orientation, std::size_t kind,
-             std::vector<PlacedTile>& tiles) {
-    const PlacingTable& table = traversal.table();
-    if (!overlap(traversal.window(), traversal.area_of(square))) return;
-    const double ranks = std::ldexp(kDotsPerScale * traversal.request().scale, -2 * square.depth);
-    const double max = traversal.density().bounds(square).max;
-    if (ranks * max <= (square.depth == 0 ? 0.0 : static_cast<double>(table.tile_size))) return;
-    const glm::dvec2 corner = traversal.corner_in_window(square);
-    tiles.push_back({square.depth, corner.x, corner.y, std::ldexp(1.0, -square.depth), orientation});
-    if (table.next_kind.size() > 1) tiles.back().kind = kind;
-    // Its children appear with the first of their newborn points.
-    if (ranks * max <= static_cast<double>(table.tile_size) || square.depth >= kMaxDepth) return;
-    for (int q = 0; q < 4; ++q) {
-        const int placed = apply_to_quadrant(orientation, q);
-        collect(traversal, {square.depth + 1, 2 * square.x + (placed & 1), 2 * square.y + (placed >> 1)},
-                compose(orientation, table.rule.child[q]), table.next_kind[kind][q], tiles);
-    }
-}
-
-}  // namespace
 
 std::vector<PlacedTile> placed_tiles(const PlacingTable& table, const Density& density,
                                      const PlacingRequest& request) {

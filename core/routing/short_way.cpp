@@ -156,44 +156,6 @@ class RoutePieces {
     std::uint32_t count_;
 };
 
-}  // namespace
-
-std::vector<std::uint32_t> greedy_way(std::span<const float> x, std::span<const float> y,
-                                      std::span<const std::uint32_t> near, bool holds_first,
-                                      bool holds_last) {
-    struct Link {
-        float squared;
-        std::uint32_t a, b;
-        auto operator<=>(const Link&) const = default;
-    };
-    RoutePieces pieces(static_cast<std::uint32_t>(x.size()), holds_first, holds_last);
-    std::vector<std::uint32_t> ends = pieces.ends(), near_ends;
-    while (pieces.count() > 1) {
-        std::vector<Link> links;
-        for (std::size_t i = 0; i < ends.size(); ++i) {
-            for (std::size_t k = 0; k < kNearDots; ++k) {
-                const std::uint32_t a = ends[i], b = ends[near[i * kNearDots + k]];
-                const float across = x[a] - x[b], down = y[a] - y[b];
-                links.push_back({across * across + down * down, std::min(a, b), std::max(a, b)});
-            }
-        }
-        std::ranges::sort(links);
-        for (const Link& link : links) pieces.link(link.a, link.b);
-        if (pieces.count() == 1) break;
-        ends = pieces.ends();
-        std::vector<float> across, down;
-        for (const std::uint32_t end : ends) {
-            across.push_back(x[end]);
-            down.push_back(y[end]);
-        }
-        near_ends = near_dots(across, down);
-        near = near_ends;
-    }
-    return pieces.way();
-}
-
-namespace {
-
 // A way through dots whose links do not cross.
 
 /// Improves an open way, the dots' indices, until no two of its links cross: where two do, the part between
@@ -770,6 +732,40 @@ class Window {
 };
 
 }  // namespace
+
+std::vector<std::uint32_t> greedy_way(std::span<const float> x, std::span<const float> y,
+                                      std::span<const std::uint32_t> near, bool holds_first,
+                                      bool holds_last) {
+    struct Link {
+        float squared;
+        std::uint32_t a, b;
+        auto operator<=>(const Link&) const = default;
+    };
+    RoutePieces pieces(static_cast<std::uint32_t>(x.size()), holds_first, holds_last);
+    std::vector<std::uint32_t> ends = pieces.ends(), near_ends;
+    while (pieces.count() > 1) {
+        std::vector<Link> links;
+        for (std::size_t i = 0; i < ends.size(); ++i) {
+            for (std::size_t k = 0; k < kNearDots; ++k) {
+                const std::uint32_t a = ends[i], b = ends[near[i * kNearDots + k]];
+                const float across = x[a] - x[b], down = y[a] - y[b];
+                links.push_back({across * across + down * down, std::min(a, b), std::max(a, b)});
+            }
+        }
+        std::ranges::sort(links);
+        for (const Link& link : links) pieces.link(link.a, link.b);
+        if (pieces.count() == 1) break;
+        ends = pieces.ends();
+        std::vector<float> across, down;
+        for (const std::uint32_t end : ends) {
+            across.push_back(x[end]);
+            down.push_back(y[end]);
+        }
+        near_ends = near_dots(across, down);
+        near = near_ends;
+    }
+    return pieces.way();
+}
 
 double way_length(std::span<const float> x, std::span<const float> y) {
     double length = 0;

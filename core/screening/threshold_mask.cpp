@@ -192,6 +192,31 @@ std::vector<std::size_t> first_pixels(Energies& energies, std::size_t all, std::
     return pixels;
 }
 
+// Along a pixel's side, where it is asked how much of the paper printed pixels cover together.
+constexpr int kParts = 8;
+
+std::vector<std::uint32_t> pixels_by_rank(const ThresholdMask& mask, int slice) {
+    std::vector<std::uint32_t> pixels(mask.size.of_slice());
+    const std::size_t first = pixels.size() * static_cast<std::size_t>(slice);
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+        pixels[mask.ranks[first + i]] = static_cast<std::uint32_t>(i);
+    return pixels;
+}
+
+// What a printed pixel covers of a pixel so far away from it, as far as its ink reaches: one bit for each
+// part.
+using Parts = std::bitset<kParts * kParts>;
+Parts covered_parts(int dx, int dy, double gain) {
+    // The square, rounded at its corners by the gain.
+    const auto beyond = [](double at) { return std::max({-at, at - 1, 0.0}); };
+    Parts parts;
+    for (int y = 0; y < kParts; ++y)
+        for (int x = 0; x < kParts; ++x)
+            parts[static_cast<std::size_t>(y * kParts + x)] =
+                std::hypot(beyond(dx + (x + 0.5) / kParts), beyond(dy + (y + 0.5) / kParts)) <= gain;
+    return parts;
+}
+
 }  // namespace
 
 ThresholdMask void_and_cluster(const ThresholdSize& size, const VoidAndClusterOptions& options,
@@ -256,35 +281,6 @@ ThresholdMask tile_mask(RankedTile& tile, int side) {
         order[pixels[rank]] = static_cast<std::uint32_t>(rank);
     return mask_by_order(size, order);
 }
-
-namespace {
-
-// Along a pixel's side, where it is asked how much of the paper printed pixels cover together.
-constexpr int kParts = 8;
-
-std::vector<std::uint32_t> pixels_by_rank(const ThresholdMask& mask, int slice) {
-    std::vector<std::uint32_t> pixels(mask.size.of_slice());
-    const std::size_t first = pixels.size() * static_cast<std::size_t>(slice);
-    for (std::size_t i = 0; i < pixels.size(); ++i)
-        pixels[mask.ranks[first + i]] = static_cast<std::uint32_t>(i);
-    return pixels;
-}
-
-// What a printed pixel covers of a pixel so far away from it, as far as its ink reaches: one bit for each
-// part.
-using Parts = std::bitset<kParts * kParts>;
-Parts covered_parts(int dx, int dy, double gain) {
-    // The square, rounded at its corners by the gain.
-    const auto beyond = [](double at) { return std::max({-at, at - 1, 0.0}); };
-    Parts parts;
-    for (int y = 0; y < kParts; ++y)
-        for (int x = 0; x < kParts; ++x)
-            parts[static_cast<std::size_t>(y * kParts + x)] =
-                std::hypot(beyond(dx + (x + 0.5) / kParts), beyond(dy + (y + 0.5) / kParts)) <= gain;
-    return parts;
-}
-
-}  // namespace
 
 void check_threshold_size(const ThresholdSize& size) {
     const auto is_side = [](int side) { return side >= 4 && side <= kMostThresholdSide; };

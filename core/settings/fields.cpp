@@ -93,6 +93,34 @@ void take_out_same(Json& object, const Json& other) {
     }
 }
 
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kLongestShown = 40;
+
+std::string value_in_words(const Json& value) {
+    if (value.is_object()) return "an object";
+    if (value.is_array()) return "a list";
+    std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
+    if (text.size() > kLongestShown) text = text.substr(0, kLongestShown) + "...";
+    return printable(text);
+}
+
+bool file_is_there(const fs::path& file) {
+    std::error_code ignored;
+    return !file.empty() && fs::exists(file, ignored);
+}
+
+// A device may have no end, and a pipe may never begin.
+bool is_read_at_once(const fs::path& file) {
+    std::error_code ignored;
+    return fs::is_regular_file(file, ignored);
+}
+
+fs::path folder_holding(const fs::path& file) {
+    return whole_path(file).parent_path();
+}
+
 }  // namespace
 
 void read_settings(const std::string& text, const SettingsPlace& place, const Describe& describe) {
@@ -171,38 +199,6 @@ std::string NumberRange::in_words(const char* kind) const {
                (open ? "" : fmt::format(", up to {:.12g}", most));
     return fmt::format("{} from {:.12g} ", kind, least) + (open ? "up" : fmt::format("to {:.12g}", most));
 }
-
-namespace {
-
-namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
-
-constexpr std::size_t kLongestShown = 40;
-
-std::string value_in_words(const Json& value) {
-    if (value.is_object()) return "an object";
-    if (value.is_array()) return "a list";
-    std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
-    if (text.size() > kLongestShown) text = text.substr(0, kLongestShown) + "...";
-    return printable(text);
-}
-
-bool file_is_there(const fs::path& file) {
-    std::error_code ignored;
-    return !file.empty() && fs::exists(file, ignored);
-}
-
-// A device may have no end, and a pipe may never begin.
-bool is_read_at_once(const fs::path& file) {
-    std::error_code ignored;
-    return fs::is_regular_file(file, ignored);
-}
-
-fs::path folder_holding(const fs::path& file) {
-    return whole_path(file).parent_path();
-}
-
-}  // namespace
 
 Fields::Fields(Json& object, Way way, SettingsPlace place)
     : object_(object), way_(way), place_(std::move(place)) {

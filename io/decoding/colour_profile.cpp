@@ -66,24 +66,6 @@ glm::dmat3 to_xyz(const Primaries& primaries) {
            glm::dmat3(colours[0] * shares.x, colours[1] * shares.y, colours[2] * shares.z);
 }
 
-}  // namespace
-
-std::optional<CodedColours> coded_colours(const CodePoints& points) {
-    const auto primaries = std::ranges::find(kPrimaries, points.primaries, &Primaries::number);
-    const auto transfer = std::ranges::find(kTransfers, points.transfer, &Transfer::number);
-    if (primaries == kPrimaries.end() || transfer == kTransfers.end() || points.matrix != 0 ||
-        !points.full_range)
-        return std::nullopt;
-    CodedColours colours{.encoding = {transfer->kind},
-                         .to_srgb = std::nullopt,
-                         .name = std::string(transfer->name) + ", " + primaries->name};
-    if (primaries != kPrimaries.begin())
-        colours.to_srgb = glm::mat3(glm::inverse(to_xyz(kPrimaries.front())) * to_xyz(*primaries));
-    return colours;
-}
-
-namespace {
-
 constexpr std::size_t kLevels = 65'536;  // those of 16 bits, and of 8 among them
 
 using Profile = std::unique_ptr<void, decltype(&cmsCloseProfile)>;
@@ -120,6 +102,20 @@ std::size_t level_of(float value) {
 }
 
 }  // namespace
+
+std::optional<CodedColours> coded_colours(const CodePoints& points) {
+    const auto primaries = std::ranges::find(kPrimaries, points.primaries, &Primaries::number);
+    const auto transfer = std::ranges::find(kTransfers, points.transfer, &Transfer::number);
+    if (primaries == kPrimaries.end() || transfer == kTransfers.end() || points.matrix != 0 ||
+        !points.full_range)
+        return std::nullopt;
+    CodedColours colours{.encoding = {transfer->kind},
+                         .to_srgb = std::nullopt,
+                         .name = std::string(transfer->name) + ", " + primaries->name};
+    if (primaries != kPrimaries.begin())
+        colours.to_srgb = glm::mat3(glm::inverse(to_xyz(kPrimaries.front())) * to_xyz(*primaries));
+    return colours;
+}
 
 float Encoding::light(float stored) const {
     switch (kind) {

@@ -19,6 +19,46 @@ std::int64_t within(std::int64_t begin, std::int64_t side, std::int64_t most) {
     return std::max<std::int64_t>(std::min(begin + side, most) - std::max<std::int64_t>(begin, 0), 0);
 }
 
+// What the i-th of `to` things covers when fewer, `from`, are stretched into them: the first that it covers,
+// and how much of the i-th that is; the rest is the next one.
+struct Cover {
+    std::int64_t first;
+    float share;
+};
+
+Cover cover(std::int64_t i, std::int64_t from, std::int64_t to) {
+    const std::int64_t begin = i * from, end = begin + from, first = begin / to;
+    const std::int64_t of_first = std::min(end, (first + 1) * to) - begin;
+    return {first, static_cast<float>(of_first) / static_cast<float>(from)};
+}
+
+std::int64_t stretched(int side, float by) {
+    return std::llround(static_cast<double>(side) * static_cast<double>(by));
+}
+
+// "2.08", or "2" for 2.00.
+std::string in_words(float ratio) {
+    const auto hundredths = static_cast<int>(std::lround(ratio * 100));
+    std::string text = std::to_string(hundredths / 100);
+    if (hundredths % 100 == 0) return text;
+    text += "." + std::to_string(hundredths / 10 % 10);
+    return hundredths % 10 == 0 ? text : text + std::to_string(hundredths % 10);
+}
+
+// False for what is not a number, too.
+bool is_light(float value) {
+    return std::abs(value) <= kMostLightOfAPixel;
+}
+
+[[noreturn]] void fail_at(std::size_t x, int y, std::span<const float> pixel) {
+    const auto bad = std::ranges::find_if(pixel, [](float v) { return !std::isfinite(v); });
+    const std::string place = "pixel " + std::to_string(x) + ", " + std::to_string(y) + " is ";
+    if (bad == pixel.end())
+        throw DecodeError(place + "brighter than any light can be; scale the picture's values down first");
+    throw DecodeError(place + (std::isnan(*bad) ? "not a number (NaN)" : "infinite") +
+                      "; repair the picture first, for example with oiiotool --fixnan box3");
+}
+
 }  // namespace
 
 void WindowSink::begin(const ImageHeader& header) {
@@ -66,36 +106,6 @@ void WindowSink::empty_rows_until(std::int64_t y) {
     for (; next_ < y; ++next_) to_.row(shown_);
 }
 
-namespace {
-
-// What the i-th of `to` things covers when fewer, `from`, are stretched into them: the first that it covers,
-// and how much of the i-th that is; the rest is the next one.
-struct Cover {
-    std::int64_t first;
-    float share;
-};
-
-Cover cover(std::int64_t i, std::int64_t from, std::int64_t to) {
-    const std::int64_t begin = i * from, end = begin + from, first = begin / to;
-    const std::int64_t of_first = std::min(end, (first + 1) * to) - begin;
-    return {first, static_cast<float>(of_first) / static_cast<float>(from)};
-}
-
-std::int64_t stretched(int side, float by) {
-    return std::llround(static_cast<double>(side) * static_cast<double>(by));
-}
-
-// "2.08", or "2" for 2.00.
-std::string in_words(float ratio) {
-    const auto hundredths = static_cast<int>(std::lround(ratio * 100));
-    std::string text = std::to_string(hundredths / 100);
-    if (hundredths % 100 == 0) return text;
-    text += "." + std::to_string(hundredths / 10 % 10);
-    return hundredths % 10 == 0 ? text : text + std::to_string(hundredths % 10);
-}
-
-}  // namespace
-
 void SquarePixels::begin(const ImageHeader& header) {
     constexpr float kSquare = 1.01f, kLongest = 4;
     const float aspect = header.pixel_aspect, longer = aspect > 0 ? std::max(aspect, 1 / aspect) : 1;
@@ -141,24 +151,6 @@ void SquarePixels::row(std::span<const glm::vec3> colours) {
     before_.assign(colours.begin(), colours.end());
     ++row_;
 }
-
-namespace {
-
-// False for what is not a number, too.
-bool is_light(float value) {
-    return std::abs(value) <= kMostLightOfAPixel;
-}
-
-[[noreturn]] void fail_at(std::size_t x, int y, std::span<const float> pixel) {
-    const auto bad = std::ranges::find_if(pixel, [](float v) { return !std::isfinite(v); });
-    const std::string place = "pixel " + std::to_string(x) + ", " + std::to_string(y) + " is ";
-    if (bad == pixel.end())
-        throw DecodeError(place + "brighter than any light can be; scale the picture's values down first");
-    throw DecodeError(place + (std::isnan(*bad) ? "not a number (NaN)" : "infinite") +
-                      "; repair the picture first, for example with oiiotool --fixnan box3");
-}
-
-}  // namespace
 
 StoredPixels::StoredPixels(const PixelLayout& layout)
     : layout_(layout),

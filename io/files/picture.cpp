@@ -41,6 +41,27 @@ int pixels_in_one(int width, int height, std::int64_t most) {
     return std::max(1, static_cast<int>(std::ceil(std::sqrt(pixels / static_cast<double>(most)))));
 }
 
+class PictureSink : public ImageSink {
+ public:
+    explicit PictureSink(PictureColours colours) : colours_(colours) {}
+    void begin(const ImageHeader& header) override {
+        builder_.emplace(header.width, header.height, ExifOrientation{header.orientation}, colours_);
+        header_ = header;
+    }
+    void row(std::span<const glm::vec3> colours) override { builder_->add_row(row_++, colours); }
+    Picture finish() {
+        Picture picture = builder_->finish(std::move(header_.description), header_.scene_light);
+        picture.remark = std::move(header_.remark);
+        return picture;
+    }
+
+ private:
+    PictureColours colours_;
+    std::optional<PictureBuilder> builder_;
+    ImageHeader header_;
+    int row_ = 0;
+};
+
 }  // namespace
 
 PictureBuilder::PictureBuilder(int width, int height, ExifOrientation orientation, PictureColours colours,
@@ -106,31 +127,6 @@ Picture PictureBuilder::finish(std::string description, bool scene_light) {
     picture.description = std::move(description);
     return picture;
 }
-
-namespace {
-
-class PictureSink : public ImageSink {
- public:
-    explicit PictureSink(PictureColours colours) : colours_(colours) {}
-    void begin(const ImageHeader& header) override {
-        builder_.emplace(header.width, header.height, ExifOrientation{header.orientation}, colours_);
-        header_ = header;
-    }
-    void row(std::span<const glm::vec3> colours) override { builder_->add_row(row_++, colours); }
-    Picture finish() {
-        Picture picture = builder_->finish(std::move(header_.description), header_.scene_light);
-        picture.remark = std::move(header_.remark);
-        return picture;
-    }
-
- private:
-    PictureColours colours_;
-    std::optional<PictureBuilder> builder_;
-    ImageHeader header_;
-    int row_ = 0;
-};
-
-}  // namespace
 
 Picture read_picture(const std::filesystem::path& path, PictureLimit limit, PictureColours colours,
                      std::stop_token stop, PictureBehind behind) {

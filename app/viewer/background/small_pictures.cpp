@@ -30,6 +30,17 @@ Grid<glm::u8vec4> halved(const Grid<glm::u8vec4>& picture) {
     return half;
 }
 
+void show_to(Workbench& bench, const SmallPicture& picture) {
+    Picture shown{.light = Grid<float>(picture.width, picture.height),
+                  .colours = ColourGrid(picture.width, picture.height)};
+    for (std::size_t i = 0; i < picture.values.size(); ++i) {
+        const glm::vec3 colour = linear_of(glm::vec3(picture.values[i]) / 255.0f);
+        shown.light.values[i] = luminance(colour);
+        shown.colours.values[i] = packed(colour);
+    }
+    bench.set_picture(std::move(shown));
+}
+
 }  // namespace
 
 std::vector<Grid<glm::u8vec4>> mipmaps_of(Grid<glm::u8vec4> picture) {
@@ -47,21 +58,6 @@ Grid<glm::u8vec4> small_copy(const std::vector<Grid<glm::u8vec4>>& mipmaps, int 
     const auto first = std::ranges::find_if(mipmaps, fits);
     return first == mipmaps.end() ? Grid<glm::u8vec4>{} : *first;
 }
-
-namespace {
-
-void show_to(Workbench& bench, const SmallPicture& picture) {
-    Picture shown{.light = Grid<float>(picture.width, picture.height),
-                  .colours = ColourGrid(picture.width, picture.height)};
-    for (std::size_t i = 0; i < picture.values.size(); ++i) {
-        const glm::vec3 colour = linear_of(glm::vec3(picture.values[i]) / 255.0f);
-        shown.light.values[i] = luminance(colour);
-        shown.colours.values[i] = packed(colour);
-    }
-    bench.set_picture(std::move(shown));
-}
-
-}  // namespace
 
 SmallPicture small_drawing(const SmallPicture& picture, DrawingSettings settings, int longer_side,
                            const std::stop_token& stop) {

@@ -54,20 +54,6 @@ std::vector<glm::vec2> points_by_rank(const PlacingTable& table) {
     return points;
 }
 
-}  // namespace
-
-TileView view_of(std::string name, RankedTile& tile, PlacerKind placer) {
-    if (placer == PlacerKind::figure8)
-        return {std::move(name), tile.tile().rule, points_by_rank(tile.tile(), tile.own_ranks())};
-    std::vector<glm::vec2> points = points_by_rank(tile.placer().table());
-    const auto own = points.begin() + static_cast<std::ptrdiff_t>(tile.tile().size());
-    TileView view{std::move(name), tile.tile().rule, {points.begin(), own}, {}, tile.tile().next_kind};
-    if (tile.tile().kinds() == 1) view.newborn.assign(own, points.end());
-    return view;
-}
-
-namespace {
-
 constexpr std::size_t kMostSpare = 2;
 constexpr std::size_t kManyDots = 1'000'000;  // fewer are not worth giving their memory back
 
@@ -116,7 +102,38 @@ bool same_tile(const DotsRequest& a, const DotsRequest& b) {
     return one.tile == other.tile && one.ranking == other.ranking && one.placer == other.placer;
 }
 
+// Mean over a window by so many samples along each side, times the window's area.
+double density_in(const Density& page, const PageWindow& window) {
+    constexpr int kSamples = 64;
+    double sum = 0;
+    for (int y = 0; y < kSamples; ++y)
+        for (int x = 0; x < kSamples; ++x)
+            sum += page.at({static_cast<double>(window.x) * 0x1p-62 + window.width * (x + 0.5) / kSamples,
+                            static_cast<double>(window.y) * 0x1p-62 + window.height * (y + 0.5) / kSamples});
+    return sum / (kSamples * kSamples) * window.width * window.height;
+}
+
+PlacingRequest close_placing(const Density& page, const DotsRequest& request) {
+    // A window may be as small as 2^-41 of the page.
+    const double most = static_cast<double>(request.most_dots);
+    const double limit = most / (kDotsPerScale * std::max(density_in(page, request.close->window), 1e-200));
+    return {.scale = std::min(request.close->scale, limit),
+            .threads = request.drawing.placing.threads,
+            .thresholds = true,
+            .window = request.close->window};
+}
+
 }  // namespace
+
+TileView view_of(std::string name, RankedTile& tile, PlacerKind placer) {
+    if (placer == PlacerKind::figure8)
+        return {std::move(name), tile.tile().rule, points_by_rank(tile.tile(), tile.own_ranks())};
+    std::vector<glm::vec2> points = points_by_rank(tile.placer().table());
+    const auto own = points.begin() + static_cast<std::ptrdiff_t>(tile.tile().size());
+    TileView view{std::move(name), tile.tile().rule, {points.begin(), own}, {}, tile.tile().next_kind};
+    if (tile.tile().kinds() == 1) view.newborn.assign(own, points.end());
+    return view;
+}
 
 // Keeps few, and none with far more room than drawings of so many dots as the last need.
 void Workbench::sort_spare() {
@@ -150,31 +167,6 @@ DrawingPlan Workbench::plan(const DotsRequest& request) {
     if (request.close) drawing.mask = drawing.mask.without_finer();  // all dots are alike there
     return pipeline_.plan(drawing, request.most_dots);
 }
-
-namespace {
-
-// Mean over a window by so many samples along each side, times the window's area.
-double density_in(const Density& page, const PageWindow& window) {
-    constexpr int kSamples = 64;
-    double sum = 0;
-    for (int y = 0; y < kSamples; ++y)
-        for (int x = 0; x < kSamples; ++x)
-            sum += page.at({static_cast<double>(window.x) * 0x1p-62 + window.width * (x + 0.5) / kSamples,
-                            static_cast<double>(window.y) * 0x1p-62 + window.height * (y + 0.5) / kSamples});
-    return sum / (kSamples * kSamples) * window.width * window.height;
-}
-
-PlacingRequest close_placing(const Density& page, const DotsRequest& request) {
-    // A window may be as small as 2^-41 of the page.
-    const double most = static_cast<double>(request.most_dots);
-    const double limit = most / (kDotsPerScale * std::max(density_in(page, request.close->window), 1e-200));
-    return {.scale = std::min(request.close->scale, limit),
-            .threads = request.drawing.placing.threads,
-            .thresholds = true,
-            .window = request.close->window};
-}
-
-}  // namespace
 
 bool Workbench::place(const DotsRequest& request, PlacedDrawing& drawing, std::stop_token stop,
                       const Unsettled& unsettled) {
