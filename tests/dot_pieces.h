@@ -3,8 +3,8 @@
 
 #include <cstddef>
 
-#include "core/placing/placer.h"
 #include "core/placing/dots.h"
+#include "core/placing/placer.h"
 
 namespace dapple {
 

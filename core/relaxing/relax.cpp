@@ -6,9 +6,9 @@
 #include <optional>
 
 #include "core/placing/pieces.h"
+#include "core/relaxing/dot_rows.h"
 #include "core/relaxing/energy_steps.h"
 #include "core/relaxing/lloyd_steps.h"
-#include "core/relaxing/dot_rows.h"
 #include "core/relaxing/stir.h"
 
 namespace dapple {

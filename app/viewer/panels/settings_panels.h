@@ -11,9 +11,9 @@
 
 #include "app/viewer/model/banner.h"
 #include "app/viewer/model/crop_percent.h"
-#include "app/viewer/model/viewer_settings.h"
 #include "app/viewer/model/mask_brush.h"
 #include "app/viewer/model/pane.h"
+#include "app/viewer/model/viewer_settings.h"
 #include "app/viewer/panels/window_panels.h"
 #include "app/viewer/widgets/picture_entry.h"
 #include "core/drawing/page_setup.h"
