@@ -1,10 +1,13 @@
 #pragma once
-// An open file of the system, closed at the end of its scope.
+// An open file of the system, closed at the end of its scope, and a program, ended there.
 
 #include <fcntl.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
+#include <cerrno>
+#include <csignal>
 #include <optional>
 #include <utility>
 
@@ -44,5 +47,31 @@ inline std::optional<std::array<Descriptor, 2>> own_pipe() {
 #endif
     return std::array{Descriptor(ends[0]), Descriptor(ends[1])};
 }
+
+/// A program that was started, and what it writes; ended where it is left.
+struct ChildProcess {
+    pid_t id = -1;  // none: it does not run
+    Descriptor output{};
+
+    ChildProcess() = default;
+    ChildProcess& operator=(ChildProcess&&) = delete;
+    ~ChildProcess() {
+        if (id <= 0) return;
+        end();
+        wait();
+    }
+
+    /// Its pipe ends soon after.
+    void end() const { ::kill(id, SIGKILL); }
+
+    /// Its status, as waitpid() tells it.
+    int wait() {
+        int status = 0;
+        while (::waitpid(id, &status, 0) < 0 && errno == EINTR) {
+        }
+        id = -1;
+        return status;
+    }
+};
 
 }  // namespace dapple

@@ -16,8 +16,7 @@ bool on_terminal();
 class ProgressLine {
  public:
     ProgressLine();
-    ProgressLine(const ProgressLine&) = delete;
-    ProgressLine& operator=(const ProgressLine&) = delete;
+    ProgressLine& operator=(ProgressLine&&) = delete;
     ~ProgressLine();
 
     /// fraction: 0..1 of the work since it was made or restarted, from which the time left is estimated.

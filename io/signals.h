@@ -15,8 +15,7 @@ namespace dapple {
 class ToldWhenStopped {
  public:
     ToldWhenStopped();
-    ToldWhenStopped(const ToldWhenStopped&) = delete;
-    ToldWhenStopped& operator=(const ToldWhenStopped&) = delete;
+    ToldWhenStopped& operator=(ToldWhenStopped&&) = delete;
     ~ToldWhenStopped();
 };
 
@@ -28,8 +27,7 @@ class StopOnInterrupt {
  public:
     /// Without a time limit, only signals stop.
     explicit StopOnInterrupt(std::optional<std::chrono::duration<double>> limit = {});
-    StopOnInterrupt(const StopOnInterrupt&) = delete;
-    StopOnInterrupt& operator=(const StopOnInterrupt&) = delete;
+    StopOnInterrupt& operator=(StopOnInterrupt&&) = delete;
     ~StopOnInterrupt();
 
     std::stop_token token() const { return source_.get_token(); }
@@ -46,8 +44,7 @@ class StopOnInterrupt {
 class WriteErrorsInsteadOfSignals {
  public:
     WriteErrorsInsteadOfSignals();
-    WriteErrorsInsteadOfSignals(const WriteErrorsInsteadOfSignals&) = delete;
-    WriteErrorsInsteadOfSignals& operator=(const WriteErrorsInsteadOfSignals&) = delete;
+    WriteErrorsInsteadOfSignals& operator=(WriteErrorsInsteadOfSignals&&) = delete;
     ~WriteErrorsInsteadOfSignals();
 };
 

@@ -3,8 +3,8 @@
 
 #include <cstddef>
 
-#include "core/placing/dot_stream.h"
 #include "core/placing/dots.h"
+#include "core/placing/placer.h"
 
 namespace dapple {
 

@@ -125,8 +125,6 @@ void check_that_fit(const CLI::App& command, const LightsOptions& options) {
 // Reads, samples and saves; needs an output. Throws std::runtime_error with one sentence naming the file
 // that is wrong; what was at the output's place stays then.
 void lights(const LightsOptions& options) {
-    if (!light_file_of(options.output))
-        throw failure("{}: does not end in {}", options.output.string(), kLightEndings);
     check_can_save(options.output);
     if (options.pdf) check_can_save(*options.pdf);
     RankedTile tile = tile_named(options.tile, options.ranking);
@@ -157,8 +155,6 @@ void lights(const LightsOptions& options) {
 
 // Saves how large the errors of samplers are on that map, and prints them. Throws as above.
 void compare_lights(const LightsOptions& options) {
-    if (!is_report(options.output))
-        throw failure("{}: does not end in {}", options.output.string(), kReportEndings);
     check_can_save(options.output);
     RankedTile tile = tile_named(options.tile, options.ranking);
     const EnvironmentMap map = map_of(options);

@@ -18,7 +18,6 @@
 #include "core/drawing/settings.h"
 #include "core/maths/portable_math.h"
 #include "core/screening/threshold_mask.h"
-#include "core/screening/void_and_cluster.h"
 #include "core/text/number_words.h"
 #include "io/command_line/options.h"
 #include "io/command_line/program.h"

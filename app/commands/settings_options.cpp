@@ -12,6 +12,7 @@
 #include "io/command_line/program.h"
 #include "io/files/text_file.h"
 #include "io/settings/presets.h"
+#include "io/settings/xdg_folders.h"
 
 namespace dapple {
 
@@ -96,7 +97,7 @@ void add_settings_options(CLI::App& command, const DrawingSettings& present,
             "options change them")
         ->type_name("FILE");
     const auto read_preset = [take, &present](const std::string& name) {
-        SavedSettings preset = preset_named(name, presets_folder()).settings;
+        SavedSettings preset = preset_named(name, within_folder(config_folder(), "presets")).settings;
         preset.drawing = with_preset(preset.drawing, present);
         take(preset);
     };

@@ -18,17 +18,14 @@ static Memory memory_of_person(const auto& options) {
     return memory;
 }
 
-static std::filesystem::path folder_of_unsaved(bool fresh) {
-    const std::filesystem::path folder = state_folder();
-    return fresh || folder.empty() ? "" : folder / "unsaved";
-}
-
 int run_viewer(const ViewerOptions& options) {
     if (options.tile) load_tile(*options.tile);
-    Shell shell(options.log_status, memory_of_person(options), folder_of_unsaved(options.fresh));
-    return shell.run(std::make_unique<DrawingDocument>(options.image, options.tile, shell.memory().state.view,
-                                                       options.fresh ? "" : presets_folder(),
-                                                       options.fresh ? "" : palettes_folder()));
+    Shell shell(options.log_status, memory_of_person(options),
+                options.fresh ? "" : within_folder(state_folder(), "unsaved"));
+    return shell.run(
+        std::make_unique<DrawingDocument>(options.image, options.tile, shell.memory().state.view,
+                                          options.fresh ? "" : within_folder(config_folder(), "presets"),
+                                          options.fresh ? "" : within_folder(config_folder(), "palettes")));
 }
 
 int run_viewer(const LightViewerOptions& options) {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "app/viewer/model/lights_settings.h"
+#include "app/viewer/model/lit_map.h"
 
 namespace dapple {
 

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "core/analysis/autocorrelation.h"
-#include "core/analysis/spectrum.h"
+#include "core/analysis/periodogram.h"
 #include "core/drawing/stippler.h"
 #include "core/settings/settings_json.h"
 #include "core/tile/tile_file.h"

@@ -14,7 +14,6 @@
 #include "core/analysis/distances.h"
 #include "core/analysis/domain.h"
 #include "core/analysis/periodogram.h"
-#include "core/analysis/spectrum.h"
 #include "core/export.h"
 
 namespace dapple {

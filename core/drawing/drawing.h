@@ -15,7 +15,6 @@
 #include "core/output/drawing_format.h"
 #include "core/output/sheet.h"
 #include "core/placing/dot_order.h"
-#include "core/placing/dot_stream.h"
 #include "core/placing/page.h"
 #include "core/placing/placer.h"
 #include "core/routing/short_way.h"

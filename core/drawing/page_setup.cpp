@@ -9,7 +9,6 @@
 #include <stdexcept>
 #include <vector>
 
-#include "core/text/length.h"
 #include "core/text/number_words.h"
 
 namespace dapple {

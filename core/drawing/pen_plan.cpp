@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/image/dot_areas.h"
+#include "core/image/detail.h"
 #include "core/maths/portable_math.h"
 #include "core/placing/page.h"
 

@@ -24,8 +24,8 @@
 #include "core/image/histogram.h"
 #include "core/image/ink.h"
 #include "core/lines/inking.h"
-#include "core/placing/dot_stream.h"
 #include "core/placing/page.h"
+#include "core/placing/placer.h"
 #include "core/placing/stipple.h"
 
 namespace dapple {

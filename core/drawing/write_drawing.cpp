@@ -15,7 +15,6 @@
 #include "core/output/plotting_time.h"
 #include "core/output/raster.h"
 #include "core/strokes/strokes.h"
-#include "core/text/length.h"
 #include "core/text/number_words.h"
 
 namespace dapple {

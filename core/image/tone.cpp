@@ -9,7 +9,7 @@
 #include <limits>
 #include <numbers>
 
-#include "core/image/blur.h"
+#include "core/image/detail.h"
 #include "core/maths/portable_math.h"
 
 namespace dapple {

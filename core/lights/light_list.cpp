@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "core/maths/portable_math.h"
-#include "core/text/text_lines.h"
 
 namespace dapple {
 
@@ -91,8 +90,7 @@ double angular_radius(const LightSample& sample, std::size_t samples) {
            std::numbers::pi;
 }
 
-void write_light_json(std::ostream& out, const LightSamples& lights, const LightListStyle& style) {
-    TextBuffer text(out);
+void write_light_json(TextBuffer& text, const LightSamples& lights, const LightListStyle& style) {
     text << "{\n\"convention\": \"" << name_of(style.convention)
          << "\",\n\"rotation_degrees\": " << style.rotation_degrees << ",\n\"source\": \""
          << json_text(style.source) << "\",\n\"position\": \"" << name_of(lights.position)
@@ -108,11 +106,9 @@ void write_light_json(std::ostream& out, const LightSamples& lights, const Light
              << "], \"pdf\": " << sample.pdf << ", \"weight\": [" << Three{sample.weight, ", "}
              << "], \"angular_radius\": " << angular_radius(sample, lights.samples.size()) << '}';
     text << "\n]\n}\n";
-    text.flush();
 }
 
-void write_light_csv(std::ostream& out, const LightSamples& lights, const LightListStyle& style) {
-    TextBuffer text(out);
+void write_light_csv(TextBuffer& text, const LightSamples& lights, const LightListStyle& style) {
     std::string source(style.source);
     std::ranges::transform(source, source.begin(), printable);
     text << "# convention: " << name_of(style.convention)
@@ -126,11 +122,9 @@ void write_light_csv(std::ostream& out, const LightSamples& lights, const LightL
         text << Three{direction_of(sample, style), ","} << ',' << sample.uv.x << ',' << sample.uv.y << ','
              << Three{sample.radiance, ","} << ',' << sample.pdf << ',' << Three{sample.weight, ","} << ','
              << angular_radius(sample, lights.samples.size()) << '\n';
-    text.flush();
 }
 
-void write_light_pbrt(std::ostream& out, const LightSamples& lights, const LightListStyle& style) {
-    TextBuffer text(out);
+void write_light_pbrt(TextBuffer& text, const LightSamples& lights, const LightListStyle& style) {
     text << "# ";
     put_what_it_is(text, lights, style);
     text << "\n";
@@ -138,11 +132,9 @@ void write_light_pbrt(std::ostream& out, const LightSamples& lights, const Light
         text << "LightSource \"distant\" \"point3 from\" [ " << Three{direction_of(sample, style), " "}
              << " ] \"point3 to\" [ 0 0 0 ] \"rgb L\" [ " << Three{sample.weight, " "}
              << " ] \"float scale\" [ 1 ]\n";
-    text.flush();
 }
 
-void write_light_mitsuba(std::ostream& out, const LightSamples& lights, const LightListStyle& style) {
-    TextBuffer text(out);
+void write_light_mitsuba(TextBuffer& text, const LightSamples& lights, const LightListStyle& style) {
     text << "<scene version=\"3.0.0\">\n    <!-- ";
     put_what_it_is(text, lights, style);
     text << " -->\n";
@@ -153,11 +145,9 @@ void write_light_mitsuba(std::ostream& out, const LightSamples& lights, const Li
              << Three{sample.weight, ", "} << "\"/></emitter>\n";
     }
     text << "</scene>\n";
-    text.flush();
 }
 
-void write_light_usd(std::ostream& out, const LightSamples& lights, const LightListStyle& style) {
-    TextBuffer text(out);
+void write_light_usd(TextBuffer& text, const LightSamples& lights, const LightListStyle& style) {
     text << "#usda 1.0\n(\n    doc = \"";
     put_what_it_is(text, lights, style);
     text << "\"\n    defaultPrim = \"Lights\"\n    upAxis = \"Y\"\n)\n\ndef Xform \"Lights\"\n{\n";
@@ -174,11 +164,9 @@ void write_light_usd(std::ostream& out, const LightSamples& lights, const LightL
              << ")\n        uniform token[] xformOpOrder = [\"xformOp:orient\"]\n    }\n";
     }
     text << "}\n";
-    text.flush();
 }
 
-void write_light_gltf(std::ostream& out, const LightSamples& lights, const LightListStyle& style) {
-    TextBuffer text(out);
+void write_light_gltf(TextBuffer& text, const LightSamples& lights, const LightListStyle& style) {
     text << "{\n\"asset\": {\"version\": \"2.0\", \"generator\": \"Dapple\", \"extras\": {\"what\": \"";
     put_what_it_is(text, lights, style);
     text << "\"}},\n\"extensionsUsed\": [\"KHR_lights_punctual\"],\n\"extensions\": "
@@ -200,11 +188,9 @@ void write_light_gltf(std::ostream& out, const LightSamples& lights, const Light
              << "], \"extensions\": {\"KHR_lights_punctual\": {\"light\": " << number++ << "}}}";
     }
     text << "\n]\n}\n";
-    text.flush();
 }
 
-void write_light_blender(std::ostream& out, const LightSamples& lights, const LightListStyle& style) {
-    TextBuffer text(out);
+void write_light_blender(TextBuffer& text, const LightSamples& lights, const LightListStyle& style) {
     text << "# ";
     put_what_it_is(text, lights, style);
     text << "\n# To be run in Blender: blender scene.blend --python THIS_FILE. The world's own light is left "
@@ -229,7 +215,6 @@ for rotation, colour, strength, width in lights:
     sun.rotation_mode, sun.rotation_quaternion = "QUATERNION", rotation
     collection.objects.link(sun)
 )";
-    text.flush();
 }
 
 }  // namespace dapple

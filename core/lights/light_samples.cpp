@@ -434,15 +434,11 @@ std::vector<std::uint32_t> priority_order(std::span<const LightSample> samples) 
 
 constexpr double kPlacingShare = 0.4;  // of the time that samples take: most of it for the density
 
-class Stopwatch {
- public:
-    double ms() const {
-        return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
-    }
+using Clock = std::chrono::steady_clock;
 
- private:
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
+double ms_since(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
 
 // The places of the dots that Figure 8 emits, each once: the `count` of them that appear first as its scale
 // grows.
@@ -599,7 +595,7 @@ LightSamples as_placed(const EnvironmentMap& map, RankedTile& tile, const LightR
                         .seed = request.seed,
                         .total_flux = map.total_flux()};
     check_count(request.count);
-    const Stopwatch placing;
+    const Clock::time_point placing = Clock::now();
     const Grid<float> power = light_density(map, request.importance).values();
     const auto lit = std::ranges::count_if(power.values, [](float value) { return value > 0; });
     std::optional<SettledSamples> settling;
@@ -608,15 +604,15 @@ LightSamples as_placed(const EnvironmentMap& map, RankedTile& tile, const LightR
     const std::vector<glm::dvec2> dots =
         settling ? settling->dots(tile, watch.stop) : light_dots(map, tile, request, watch.stop);
     if (!watch.goes_on(kPlacingShare)) return result;
-    result.place_ms = placing.ms();
+    result.place_ms = ms_since(placing);
 
-    const Stopwatch sharing;
+    const Clock::time_point sharing = Clock::now();
     const bool drawn = request.position == SamplePosition::random;
     const Watch while_sharing{
         watch.stop, [&watch](double share) { watch.goes_on(kPlacingShare + (1 - kPlacingShare) * share); }};
     if (settling) {
         result.samples = settling->settled(dots, while_sharing);
-        result.share_ms = sharing.ms();
+        result.share_ms = ms_since(sharing);
         return result;
     }
     const std::vector<LightRegion> regions =
@@ -640,7 +636,7 @@ LightSamples as_placed(const EnvironmentMap& map, RankedTile& tile, const LightR
         }
         sample.pdf = density / static_cast<double>(dots.size());
     }
-    result.share_ms = sharing.ms();
+    result.share_ms = ms_since(sharing);
     return result;
 }
 

@@ -13,6 +13,20 @@
 
 namespace dapple {
 
+// An environment map with its samples drawn over it: the paper's figure 7.
+
+/// The factor on radiance with which a map's typical light is mid-grey: 0.18 over the geometric mean of the
+/// luminance of the texels that have light, weighted by solid angle.
+double natural_exposure(const EnvironmentMap& map);
+
+/// sRGB-encoded. Light is exposed, then pressed together, L / (1 + L), so that lamps keep their colour.
+glm::u8vec3 tone_mapped(const glm::dvec3& radiance, double exposure);
+
+/// The map, each texel a square of so many pixels that the picture is at least 2,048 wide, and a white disc
+/// with a dark rim at each place (u, v), so many pixels in radius.
+Grid<glm::u8vec3> light_picture(const EnvironmentMap& map, std::span<const glm::dvec2> places,
+                                double exposure, double disc_radius = 2);
+
 // What lights do to a diffuse surface: the integral of radiance times cosine over the hemisphere of a normal.
 // Or to a glossy one, which has a power of the cosine (Phong 1975).
 
@@ -26,7 +40,11 @@ struct DistantLight {
 /// OpenEXR; black ones left out.
 std::vector<DistantLight> texel_lights(const EnvironmentMap& map);
 
-/// A light for each block of so many texels a side, with all their light, from its centre of gravity: for
+/// A light with all that texels from `low` up to `high` have, from its centre of gravity; that has no
+/// direction if they are black.
+DistantLight block_light(const EnvironmentMap& map, glm::ivec2 low, glm::ivec2 high);
+
+/// Such a light for each block of so many texels a side, black ones left out: for
 /// maps whose texels are far finer than anything that a surface shows of them.
 std::vector<DistantLight> block_lights(const EnvironmentMap& map, int texels_a_side);
 

@@ -106,18 +106,8 @@ std::vector<DistantLight> median_cut(const EnvironmentMap& map, std::uint64_t co
     parts.insert(parts.end(), whole.begin(), whole.end());
     std::vector<DistantLight> lights;
     for (const Part& of : parts) {
-        DistantLight& light = lights.emplace_back();
-        for (int y = of.top; y < of.bottom; ++y)
-            for (int x = of.left; x < of.right; ++x) {
-                const glm::dvec3 flux = map.solid_angle(y) * glm::dvec3(map.radiance().at(x, y));
-                light.weight += flux;
-                light.direction += luminance(flux) * direction_of({(x + 0.5) / width, (y + 0.5) / height},
-                                                                  SphereConvention::openexr);
-            }
-        if (glm::length(light.direction) > 0)
-            light.direction = glm::normalize(light.direction);
-        else
-            lights.pop_back();
+        const DistantLight light = block_light(map, {of.left, of.top}, {of.right, of.bottom});
+        if (light.direction != glm::dvec3{}) lights.push_back(light);
     }
     return lights;
 }
@@ -129,6 +119,31 @@ std::vector<DistantLight> own_lights(const EnvironmentMap& map, RankedTile& tile
     for (const LightSample& sample : light_samples(map, tile, request).samples)
         lights.push_back({direction_of(sample.uv, SphereConvention::openexr), sample.weight});
     return lights;
+}
+
+// Halves change places, then the quarters of each, and so on: each bit is flipped or not by a random number
+// of its own for every value of the bits before it.
+double owen_scrambled(double coordinate, std::uint64_t seed) {
+    const auto bits = static_cast<std::uint32_t>(coordinate * 0x1p32);
+    std::uint32_t result = 0;
+    for (int bit = 31; bit >= 0; --bit) {
+        const std::uint64_t before = (std::uint64_t{1} << 32 | bits) >> bit >> 1;  // led by a 1
+        result |=
+            ((bits >> bit ^ static_cast<std::uint32_t>(portable::mixed(seed ^ portable::mixed(before)))) & 1)
+            << bit;
+    }
+    return result * 0x1p-32;
+}
+
+double slope_of(std::span<const std::uint64_t> counts, std::span<const RelativeError> errors) {
+    double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        if (!(errors[i].mean > 0)) continue;
+        const double x = portable::log(static_cast<double>(counts[i])), y = portable::log(errors[i].mean);
+        n += 1, sx += x, sy += y, sxx += x * x, sxy += x * y;
+    }
+    const double spread = n * sxx - sx * sx;
+    return spread > 0 ? (n * sxy - sx * sy) / spread : 0;
 }
 
 }  // namespace
@@ -160,35 +175,13 @@ LightInversion::Place LightInversion::at(double s, double t) const {
 std::vector<DistantLight> sampled_lights(const EnvironmentMap& map, RankedTile& tile, LightSampler sampler,
                                          std::uint64_t count, std::uint64_t seed) {
     Random random(seed * 5 + static_cast<std::uint64_t>(sampler));
-    std::vector<DistantLight> lights;
     switch (sampler) {
         case LightSampler::uniform:
             return uniform_lights(map, count, random);
-        case LightSampler::importance: {
-            const LightInversion inversion(map);
-            for (std::uint64_t i = 0; i < count; ++i) {
-                const double s = random.unit(), t = random.unit();
-                lights.push_back(inverted_light(map, inversion, {s, t}, count));
-            }
-            return lights;
-        }
-        case LightSampler::stratified: {
-            const LightInversion inversion(map);
-            const auto side = static_cast<std::uint64_t>(std::sqrt(static_cast<double>(count)));
-            for (std::uint64_t i = 0; i < side * side; ++i) {
-                const double s = (static_cast<double>(i % side) + random.unit()) / static_cast<double>(side);
-                const double t = (static_cast<double>(i / side) + random.unit()) / static_cast<double>(side);
-                lights.push_back(inverted_light(map, inversion, {s, t}, side * side));
-            }
-            return lights;
-        }
-        case LightSampler::sobol: {
-            const LightInversion inversion(map);
-            for (std::uint64_t i = 0; i < count; ++i)
-                lights.push_back(inverted_light(
-                    map, inversion, scrambled(sobol_point(static_cast<std::uint32_t>(i)), seed), count));
-            return lights;
-        }
+        case LightSampler::importance:
+        case LightSampler::stratified:
+        case LightSampler::sobol:
+            break;
         case LightSampler::median_cut:
             return median_cut(map, count);
         case LightSampler::unbiased:
@@ -196,32 +189,25 @@ std::vector<DistantLight> sampled_lights(const EnvironmentMap& map, RankedTile& 
         case LightSampler::settled:
             return own_lights(map, tile, SamplePosition::settled, count, seed);
     }
+    const bool stratified = sampler == LightSampler::stratified;
+    const auto side =
+        stratified ? static_cast<std::uint64_t>(std::sqrt(static_cast<double>(count))) : std::uint64_t{1};
+    if (stratified) count = side * side;
+    const LightInversion inversion(map);
+    std::vector<DistantLight> lights;
+    for (std::uint64_t i = 0; i < count; ++i) {
+        glm::dvec2 square;
+        if (sampler == LightSampler::sobol) {
+            square = scrambled(sobol_point(static_cast<std::uint32_t>(i)), seed);
+        } else {
+            const double s = random.unit(), t = random.unit();
+            const glm::dvec2 cell = stratified ? glm::dvec2(i % side, i / side) : glm::dvec2(0);
+            square = (cell + glm::dvec2(s, t)) / static_cast<double>(side);
+        }
+        lights.push_back(inverted_light(map, inversion, square, count));
+    }
     return lights;
 }
-
-namespace {
-
-// Steele, Lea & Flood 2014: every bit of the result depends on every bit of the key.
-std::uint64_t mixed(std::uint64_t key) {
-    key += 0x9e3779b97f4a7c15;
-    key = (key ^ (key >> 30)) * 0xbf58476d1ce4e5b9;
-    key = (key ^ (key >> 27)) * 0x94d049bb133111eb;
-    return key ^ (key >> 31);
-}
-
-// Halves change places, then the quarters of each, and so on: each bit is flipped or not by a random number
-// of its own for every value of the bits before it.
-double owen_scrambled(double coordinate, std::uint64_t seed) {
-    const auto bits = static_cast<std::uint32_t>(coordinate * 0x1p32);
-    std::uint32_t result = 0;
-    for (int bit = 31; bit >= 0; --bit) {
-        const std::uint64_t before = (std::uint64_t{1} << 32 | bits) >> bit >> 1;  // led by a 1
-        result |= ((bits >> bit ^ static_cast<std::uint32_t>(mixed(seed ^ mixed(before)))) & 1) << bit;
-    }
-    return result * 0x1p-32;
-}
-
-}  // namespace
 
 glm::dvec2 sobol_point(std::uint32_t index) {
     // The direction numbers of the second dimension, of the polynomial x + 1: each is the last one xor its
@@ -236,23 +222,8 @@ glm::dvec2 sobol_point(std::uint32_t index) {
 }
 
 glm::dvec2 scrambled(glm::dvec2 point, std::uint64_t seed) {
-    return {owen_scrambled(point.x, mixed(seed)), owen_scrambled(point.y, ~mixed(seed))};
+    return {owen_scrambled(point.x, portable::mixed(seed)), owen_scrambled(point.y, ~portable::mixed(seed))};
 }
-
-namespace {
-
-double slope_of(std::span<const std::uint64_t> counts, std::span<const RelativeError> errors) {
-    double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
-    for (std::size_t i = 0; i < counts.size(); ++i) {
-        if (!(errors[i].mean > 0)) continue;
-        const double x = portable::log(static_cast<double>(counts[i])), y = portable::log(errors[i].mean);
-        n += 1, sx += x, sy += y, sxx += x * x, sxy += x * y;
-    }
-    const double spread = n * sxx - sx * sx;
-    return spread > 0 ? (n * sxy - sx * sy) / spread : 0;
-}
-
-}  // namespace
 
 LightComparison compare_samplers(const EnvironmentMap& map, RankedTile& tile,
                                  const ComparisonRequest& request) {

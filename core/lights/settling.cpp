@@ -10,7 +10,6 @@
 #include "core/lights/direction.h"
 #include "core/maths/portable_math.h"
 #include "core/placing/pieces.h"
-#include "core/placing/placer_memory.h"
 
 namespace dapple {
 

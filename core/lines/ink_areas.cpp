@@ -8,7 +8,7 @@
 #include <span>
 #include <utility>
 
-#include "core/image/blur.h"
+#include "core/image/detail.h"
 #include "core/lines/line_field.h"
 
 namespace dapple {

@@ -11,7 +11,7 @@
 #include <limits>
 #include <utility>
 
-#include "core/image/blur.h"
+#include "core/image/detail.h"
 #include "core/image/tone.h"
 #include "core/lines/line_field.h"
 

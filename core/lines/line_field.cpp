@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/image/blur.h"
+#include "core/image/detail.h"
 #include "core/image/tone.h"
 
 namespace dapple {

@@ -7,6 +7,8 @@
 // are taken round by the double that is nearest to a turn. For zeros, infinities and what is not a number
 // they give what the standard's do.
 
+#include <cstdint>
+
 namespace dapple::portable {
 
 /// Angles are in radians.
@@ -38,6 +40,14 @@ inline float exp(float x) {
 }
 inline float exp2(float x) {
     return static_cast<float>(exp2(double{x}));
+}
+
+/// Bits that look random, each by all of the key's (Steele, Lea & Flood 2014, SplitMix).
+inline std::uint64_t mixed(std::uint64_t key) {
+    key += 0x9e3779b97f4a7c15;
+    key = (key ^ key >> 30) * 0xbf58476d1ce4e5b9;
+    key = (key ^ key >> 27) * 0x94d049bb133111eb;
+    return key ^ key >> 31;
 }
 
 }  // namespace dapple::portable

@@ -11,7 +11,6 @@
 #include "core/analysis/distances.h"
 #include "core/output/gcode.h"
 #include "core/routing/near_dots.h"
-#include "core/text/length.h"
 #include "core/text/number_words.h"
 
 namespace dapple {

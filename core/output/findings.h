@@ -11,9 +11,9 @@
 #include "core/export.h"
 #include "core/image/rectangle.h"
 #include "core/output/plotting_time.h"
-#include "core/placing/dot_stream.h"
 #include "core/placing/dots.h"
 #include "core/placing/page.h"
+#include "core/placing/placer.h"
 #include "core/text/names.h"
 
 namespace dapple {

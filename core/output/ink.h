@@ -21,7 +21,6 @@
 #include "core/output/gcode.h"
 #include "core/output/sheet.h"
 #include "core/pens/pen.h"
-#include "core/placing/dot_stream.h"
 #include "core/placing/page.h"
 #include "core/placing/placer.h"
 #include "core/strokes/strokes.h"

@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "core/text/length.h"
+#include "core/text/number_words.h"
 
 namespace dapple {
 

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "core/output/sheet.h"
-#include "core/placing/dot_stream.h"
+#include "core/placing/placer.h"
 #include "core/text/names.h"
 
 namespace dapple {

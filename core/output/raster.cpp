@@ -20,7 +20,7 @@
 #include "core/image/colour.h"
 #include "core/image/tone.h"
 #include "core/output/sample_band.h"
-#include "core/text/length.h"
+#include "core/text/number_words.h"
 
 namespace dapple {
 

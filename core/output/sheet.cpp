@@ -9,7 +9,6 @@
 #include <optional>
 
 #include "core/failure.h"
-#include "core/text/length.h"
 #include "core/text/number_words.h"
 #include "core/text/text_lines.h"
 

@@ -6,7 +6,7 @@
 
 #include "core/lines/ink_lines.h"
 #include "core/output/drawing_format.h"
-#include "core/text/length.h"
+#include "core/text/number_words.h"
 #include "core/text/text_lines.h"
 
 namespace dapple {

@@ -11,7 +11,6 @@
 
 #include "core/failure.h"
 #include "core/pens/separation.h"
-#include "core/text/length.h"
 #include "core/text/number_words.h"
 
 namespace dapple {

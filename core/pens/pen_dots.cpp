@@ -10,7 +10,6 @@
 #include "core/maths/portable_math.h"
 #include "core/placing/dot_order.h"
 #include "core/placing/pieces.h"
-#include "core/placing/placer_memory.h"
 #include "core/relaxing/relax.h"
 #include "core/routing/near_dots.h"
 
@@ -381,8 +380,7 @@ DotPieces pen_dots(const DotPieces& placed, const PenDensities& densities, const
         pieces.pieces[pen].pen = static_cast<int>(pen);
     for (std::size_t i = 0; i < dots.size(); ++i) {
         Dots& piece = pieces.pieces[labels[i]];
-        for (FloatBuffer Dots::*column :
-             {&Dots::x, &Dots::y, &Dots::threshold, &Dots::critical, &Dots::radius})
+        for (const auto column : kDotColumns)
             if (!(dots.*column).empty()) (piece.*column).push_back((dots.*column)[i]);
     }
     return pieces;

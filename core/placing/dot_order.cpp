@@ -154,8 +154,8 @@ void sort_dots(Dots& dots, DotOrder order) {
     });
     tbb::parallel_sort(keys.begin(), keys.end());
     if (order == DotOrder::priority) sort_ties(dots, keys);
-    for (FloatBuffer* column : {&dots.x, &dots.y, &dots.threshold, &dots.critical, &dots.radius}) {
-        if (!column->empty()) rearrange(*column, keys);
+    for (const auto column : kDotColumns) {
+        if (!(dots.*column).empty()) rearrange(dots.*column, keys);
     }
 }
 

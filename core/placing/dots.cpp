@@ -1,11 +1,33 @@
 #include "core/placing/dots.h"
 
+#include <sys/mman.h>
 #include <algorithm>
 #include <cmath>
 
 #include "core/image/density.h"
 
+#if defined(DAPPLE_LINUX)
+#endif
+
 namespace dapple {
+
+namespace {
+
+constexpr std::align_val_t kHugePage{2 << 20};
+
+}  // namespace
+
+void* allocate_large(std::size_t bytes) {
+    void* const memory = ::operator new(bytes, kHugePage);
+#if defined(DAPPLE_LINUX)
+    madvise(memory, bytes, MADV_HUGEPAGE);  // a wish: without, it is memory as well
+#endif
+    return memory;
+}
+
+void deallocate_large(void* memory) {
+    ::operator delete(memory, kHugePage);
+}
 
 void Dots::resize(std::size_t count, bool thresholds) {
     for (FloatBuffer* column : {&x, &y}) column->resize(count);
@@ -20,14 +42,8 @@ void Dots::reserve(std::size_t count, bool thresholds) {
 }
 
 void append(Dots& to, const Dots& more) {
-    const auto add = [](FloatBuffer& column, const FloatBuffer& end) {
-        column.insert(column.end(), end.begin(), end.end());
-    };
-    add(to.x, more.x);
-    add(to.y, more.y);
-    add(to.threshold, more.threshold);
-    add(to.critical, more.critical);
-    add(to.radius, more.radius);
+    for (const auto column : kDotColumns)
+        (to.*column).insert((to.*column).end(), (more.*column).begin(), (more.*column).end());
 }
 
 std::size_t DotPieces::size() const {

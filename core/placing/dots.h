@@ -2,11 +2,48 @@
 // What a placer gives: positions, and for each dot the scale at which it appears.
 
 #include <cstddef>
+#include <memory>
+#include <new>
+#include <utility>
 #include <vector>
 
-#include "core/placing/large_memory.h"
-
 namespace dapple {
+
+// Memory for columns of many numbers.
+
+inline constexpr std::size_t kLargeMemory = 4 << 20;
+
+/// Memory of kLargeMemory and more, in huge pages where it is Linux that has them: there, fresh memory and
+/// writing through a hundred megabytes cost less. Throws std::bad_alloc.
+void* allocate_large(std::size_t bytes);
+void deallocate_large(void* memory);
+
+/// Leaves numbers unset when a vector grows: a million dots a frame are written once, not twice.
+template <class T>
+struct UnsetAllocator : std::allocator<T> {
+    template <class U>
+    struct rebind {
+        using other = UnsetAllocator<U>;
+    };
+    T* allocate(std::size_t count) {
+        if (count < kLargeMemory / sizeof(T)) return std::allocator<T>::allocate(count);
+        if (count > static_cast<std::size_t>(-1) / 2 / sizeof(T)) throw std::bad_array_new_length();
+        return static_cast<T*>(allocate_large(count * sizeof(T)));
+    }
+    void deallocate(T* memory, std::size_t count) {
+        if (count < kLargeMemory / sizeof(T)) return std::allocator<T>::deallocate(memory, count);
+        deallocate_large(memory);
+    }
+    template <class U>
+    void construct(U* place) noexcept {
+        ::new (static_cast<void*>(place)) U;
+    }
+    template <class U, class... Args>
+    void construct(U* place, Args&&... args) {
+        ::new (static_cast<void*>(place)) U(std::forward<Args>(args)...);
+    }
+};
+using FloatBuffer = std::vector<float, UnsetAllocator<float>>;
 
 /// Dots as columns of equal length; those that say when a dot appears are empty unless asked for, and radii
 /// are where all dots are alike.
@@ -23,6 +60,10 @@ struct Dots {
     void resize(std::size_t count, bool thresholds);
     void reserve(std::size_t count, bool thresholds);
 };
+
+/// For whatever is done to all of them alike.
+inline constexpr FloatBuffer Dots::*kDotColumns[] = {&Dots::x, &Dots::y, &Dots::threshold, &Dots::critical,
+                                                     &Dots::radius};
 
 void append(Dots& to, const Dots& more);
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/placing/dot_order.h"
+#include "core/placing/pieces.h"
 #include "core/placing/placer.h"
-#include "core/placing/placer_memory.h"
 
 namespace dapple {
 

@@ -94,8 +94,8 @@ void cut_to(const PagePart& part, Dots& dots) {
         }
         ++to;
     }
-    for (FloatBuffer* column : {&dots.x, &dots.y, &dots.threshold, &dots.critical, &dots.radius}) {
-        if (!column->empty()) column->resize(to);
+    for (const auto column : kDotColumns) {
+        if (!(dots.*column).empty()) (dots.*column).resize(to);
     }
 }
 

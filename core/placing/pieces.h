@@ -7,11 +7,13 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <optional>
 #include <stop_token>
 #include <vector>
 
 #include "core/placing/dots.h"
 #include "core/placing/kernel.h"
+#include "core/placing/placer.h"
 #include "core/placing/traversal.h"
 
 namespace dapple {
@@ -30,8 +32,7 @@ class SquareEmitter {
     /// order. `beyond_caches`: the drawing will be larger than the caches.
     SquareEmitter(const Traversal& traversal, Dots& dots, EmitterMemory& memory, bool beyond_caches = false);
     ~SquareEmitter();
-    SquareEmitter(const SquareEmitter&) = delete;
-    SquareEmitter& operator=(const SquareEmitter&) = delete;
+    SquareEmitter& operator=(SquareEmitter&&) = delete;
 
     /// The dots that the square itself brings; where the recursion ends, all there are in it.
     void emit(const Visit& visit, bool ends);
@@ -116,5 +117,30 @@ class PieceTaker {
 /// far placing may be ahead of the taker.
 bool hand_over_pieces(const Traversal& traversal, const Pieces& pieces, std::size_t threads,
                       std::vector<PieceMemory>& memories, PieceTaker& taker, const std::stop_token& stop);
+
+// What a placer keeps from one placing to the next, and the placing that its calls share.
+
+struct PlacerMemory {
+    std::atomic<float>* share = nullptr;  // see Placer::report_share()
+    Pieces pieces;
+    std::vector<PieceMemory> piece_memories;
+    std::vector<EmitterMemory> emitters;  // of pieces that are kept: piece i's tail is emitters[i].tail
+
+    // For an exact count.
+    std::vector<float> criticals;
+    std::vector<TieKey> ties;
+};
+
+/// As many threads as are asked for, 0 being all cores.
+std::size_t threads_for(int wanted);
+
+/// Places all that the traversal reaches into `dots`, and each piece's tail into memory.emitters. False
+/// if stopped.
+bool keep_dots(const Traversal& traversal, PlacerMemory& memory, DotPieces& dots,
+               const std::stop_token& stop);
+
+/// Hands the same over piece by piece, each with its tail. False if stopped or ended by the taker.
+bool hand_over_dots(const Traversal& traversal, PlacerMemory& memory, PieceTaker& taker,
+                    const std::stop_token& stop);
 
 }  // namespace dapple

@@ -16,7 +16,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/placing/large_memory.h"
+#include "core/placing/dots.h"
 #include "core/tile/ranking.h"
 #include "core/tile/tile.h"
 

@@ -12,7 +12,6 @@
 
 #include "core/export.h"
 #include "core/image/density.h"
-#include "core/placing/dot_stream.h"
 #include "core/placing/dots.h"
 #include "core/placing/page.h"
 #include "core/placing/placer.h"

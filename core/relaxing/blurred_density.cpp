@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/image/blur.h"
+#include "core/image/detail.h"
 
 namespace dapple {
 

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "core/placing/pieces.h"
-#include "core/placing/placer_memory.h"
 
 namespace dapple {
 

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <utility>
 
-#include "core/relaxing/page_rows.h"
+#include "core/relaxing/dot_rows.h"
 
 namespace dapple {
 

@@ -13,10 +13,9 @@
 #include <numbers>
 
 #include "core/image/density.h"
-#include "core/image/dot_areas.h"
+#include "core/image/detail.h"
 #include "core/relaxing/blurred_density.h"
 #include "core/relaxing/dot_rows.h"
-#include "core/relaxing/page_rows.h"
 
 namespace dapple {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/relaxing/page_rows.h"
+#include "core/relaxing/dot_rows.h"
 
 namespace dapple {
 

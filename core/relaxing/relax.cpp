@@ -6,11 +6,9 @@
 #include <optional>
 
 #include "core/placing/pieces.h"
-#include "core/placing/placer_memory.h"
+#include "core/relaxing/dot_rows.h"
 #include "core/relaxing/energy_steps.h"
 #include "core/relaxing/lloyd_steps.h"
-#include "core/relaxing/page_rows.h"
-#include "core/relaxing/random_bits.h"
 #include "core/relaxing/stir.h"
 
 namespace dapple {

@@ -8,8 +8,6 @@
 #include <numbers>
 
 #include "core/placing/pieces.h"
-#include "core/placing/placer_memory.h"
-#include "core/relaxing/random_bits.h"
 
 namespace dapple {
 
@@ -26,7 +24,7 @@ constexpr float kMostRowsApart = 8;
 
 // Nearly normally distributed. No logarithm or sine: their last bits would not be the same everywhere.
 float random_at(int level, std::uint64_t column, std::uint64_t row) {
-    const std::uint64_t bits = mixed(mixed(mixed(static_cast<std::uint64_t>(level)) + column) + row);
+    const std::uint64_t bits = portable::mixed(portable::mixed(portable::mixed(level) + column) + row);
     float sum = 0;
     for (int shift = 0; shift < 64; shift += 16) sum += static_cast<float>(bits >> shift & 0xffff) * 0x1p-16f;
     return (sum - 2) * std::numbers::sqrt3_v<float>;

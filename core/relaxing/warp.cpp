@@ -7,7 +7,7 @@
 #include <numeric>
 #include <utility>
 
-#include "core/image/blur.h"
+#include "core/image/detail.h"
 
 namespace dapple {
 

@@ -22,11 +22,10 @@
 #include <vector>
 
 #include "core/image/density.h"
-#include "core/image/dot_areas.h"
+#include "core/image/detail.h"
 #include "core/image/grid.h"
 #include "core/image/ink.h"
 #include "core/relaxing/dot_rows.h"
-#include "core/relaxing/page_rows.h"
 
 namespace dapple {
 

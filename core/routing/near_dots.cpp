@@ -5,7 +5,6 @@
 #include <numeric>
 
 #include "core/placing/pieces.h"
-#include "core/placing/placer_memory.h"
 
 namespace dapple {
 namespace {

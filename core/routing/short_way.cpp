@@ -5,19 +5,91 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <deque>
 #include <limits>
 #include <mutex>
 #include <numeric>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "core/routing/near_dots.h"
-#include "core/routing/tour.h"
 
 namespace dapple {
 
 namespace {
+
+// A closed way through stops, kept as an array of them: a move turns a stretch of it round.
+
+/// An open way's stops, and one more that joins its ends.
+inline std::vector<std::uint32_t> joined(std::vector<std::uint32_t> way) {
+    way.push_back(static_cast<std::uint32_t>(way.size()));
+    return way;
+}
+
+/// Through the stops 0, 1, .. in any order. An open way is one of one more stop, which joins its two ends
+/// and is no distance from them.
+class Tour {
+ public:
+    explicit Tour(std::vector<std::uint32_t> stops) : stops_(std::move(stops)), place_(stops_.size()) {
+        for (std::uint32_t place = 0; place < size(); ++place) place_[stops_[place]] = place;
+    }
+
+    std::uint32_t size() const { return static_cast<std::uint32_t>(stops_.size()); }
+    std::uint32_t at(std::uint32_t place) const { return stops_[place]; }
+    std::uint32_t place(std::uint32_t stop) const { return place_[stop]; }
+
+    std::uint32_t after(std::uint32_t stop) const {
+        const std::uint32_t place = place_[stop] + 1;
+        return stops_[place == size() ? 0 : place];
+    }
+    std::uint32_t before(std::uint32_t stop) const {
+        const std::uint32_t place = place_[stop];
+        return stops_[place == 0 ? size() - 1 : place - 1];
+    }
+    std::uint32_t beside(std::uint32_t stop, bool forward) const {
+        return forward ? after(stop) : before(stop);
+    }
+
+    /// In place of a-b and c-d there will be a-c and b-d; b follows a as d follows c, on either way round.
+    void exchange(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+        if (after(a) == b)
+            turn(place_[b], place_[c]);
+        else
+            turn(place_[a], place_[d]);
+    }
+
+    /// The stops from the one after that to the one before it, which leaves out this one itself.
+    std::vector<std::uint32_t> opened_at(std::uint32_t stop) const {
+        std::vector<std::uint32_t> way;
+        way.reserve(size() - 1);
+        for (std::uint32_t next = after(stop); next != stop; next = after(next)) way.push_back(next);
+        return way;
+    }
+
+ private:
+    // Turns the stops at these places round, or all the others, which is the same tour.
+    void turn(std::uint32_t from, std::uint32_t to) {
+        const std::uint32_t count = size();
+        std::uint32_t length = (to + count - from) % count + 1;
+        if (2 * length > count) {
+            std::swap(from, to);
+            from = from + 1 == count ? 0 : from + 1;
+            to = to == 0 ? count - 1 : to - 1;
+            length = count - length;
+        }
+        for (std::uint32_t swaps = length / 2; swaps > 0; --swaps) {
+            std::swap(stops_[from], stops_[to]);
+            place_[stops_[from]] = from;
+            place_[stops_[to]] = to;
+            from = from + 1 == count ? 0 : from + 1;
+            to = to == 0 ? count - 1 : to - 1;
+        }
+    }
+
+    std::vector<std::uint32_t> stops_, place_;
+};
 
 constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
@@ -83,44 +155,6 @@ class RoutePieces {
     std::vector<std::uint32_t> other_end_;  // of a piece that ends with a dot
     std::uint32_t count_;
 };
-
-}  // namespace
-
-std::vector<std::uint32_t> greedy_way(std::span<const float> x, std::span<const float> y,
-                                      std::span<const std::uint32_t> near, bool holds_first,
-                                      bool holds_last) {
-    struct Link {
-        float squared;
-        std::uint32_t a, b;
-        auto operator<=>(const Link&) const = default;
-    };
-    RoutePieces pieces(static_cast<std::uint32_t>(x.size()), holds_first, holds_last);
-    std::vector<std::uint32_t> ends = pieces.ends(), near_ends;
-    while (pieces.count() > 1) {
-        std::vector<Link> links;
-        for (std::size_t i = 0; i < ends.size(); ++i) {
-            for (std::size_t k = 0; k < kNearDots; ++k) {
-                const std::uint32_t a = ends[i], b = ends[near[i * kNearDots + k]];
-                const float across = x[a] - x[b], down = y[a] - y[b];
-                links.push_back({across * across + down * down, std::min(a, b), std::max(a, b)});
-            }
-        }
-        std::ranges::sort(links);
-        for (const Link& link : links) pieces.link(link.a, link.b);
-        if (pieces.count() == 1) break;
-        ends = pieces.ends();
-        std::vector<float> across, down;
-        for (const std::uint32_t end : ends) {
-            across.push_back(x[end]);
-            down.push_back(y[end]);
-        }
-        near_ends = near_dots(across, down);
-        near = near_ends;
-    }
-    return pieces.way();
-}
-
-namespace {
 
 // A way through dots whose links do not cross.
 
@@ -699,6 +733,40 @@ class Window {
 
 }  // namespace
 
+std::vector<std::uint32_t> greedy_way(std::span<const float> x, std::span<const float> y,
+                                      std::span<const std::uint32_t> near, bool holds_first,
+                                      bool holds_last) {
+    struct Link {
+        float squared;
+        std::uint32_t a, b;
+        auto operator<=>(const Link&) const = default;
+    };
+    RoutePieces pieces(static_cast<std::uint32_t>(x.size()), holds_first, holds_last);
+    std::vector<std::uint32_t> ends = pieces.ends(), near_ends;
+    while (pieces.count() > 1) {
+        std::vector<Link> links;
+        for (std::size_t i = 0; i < ends.size(); ++i) {
+            for (std::size_t k = 0; k < kNearDots; ++k) {
+                const std::uint32_t a = ends[i], b = ends[near[i * kNearDots + k]];
+                const float across = x[a] - x[b], down = y[a] - y[b];
+                links.push_back({across * across + down * down, std::min(a, b), std::max(a, b)});
+            }
+        }
+        std::ranges::sort(links);
+        for (const Link& link : links) pieces.link(link.a, link.b);
+        if (pieces.count() == 1) break;
+        ends = pieces.ends();
+        std::vector<float> across, down;
+        for (const std::uint32_t end : ends) {
+            across.push_back(x[end]);
+            down.push_back(y[end]);
+        }
+        near_ends = near_dots(across, down);
+        near = near_ends;
+    }
+    return pieces.way();
+}
+
 double way_length(std::span<const float> x, std::span<const float> y) {
     double length = 0;
     for (std::size_t i = 1; i < x.size(); ++i)
@@ -747,11 +815,11 @@ std::vector<std::uint32_t> short_way(std::span<const float> x, std::span<const f
 
 void shorten_way(Dots& dots, const Watch& watch) {
     const std::vector<std::uint32_t> order = short_way(dots.x, dots.y, watch);
-    for (FloatBuffer* column : {&dots.x, &dots.y, &dots.threshold, &dots.critical, &dots.radius}) {
-        if (column->empty()) continue;
-        FloatBuffer sorted(column->size());
-        for (std::size_t i = 0; i < order.size(); ++i) sorted[i] = (*column)[order[i]];
-        *column = std::move(sorted);
+    for (const auto column : kDotColumns) {
+        if ((dots.*column).empty()) continue;
+        FloatBuffer sorted((dots.*column).size());
+        for (std::size_t i = 0; i < order.size(); ++i) sorted[i] = (dots.*column)[order[i]];
+        dots.*column = std::move(sorted);
     }
 }
 

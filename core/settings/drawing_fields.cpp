@@ -1,7 +1,7 @@
 #include "core/settings/drawing_fields.h"
 
+#include "core/settings/fields.h"
 #include "core/settings/setting.h"
-#include "core/settings/settings_text.h"
 
 namespace dapple {
 

@@ -9,7 +9,7 @@
 
 #include "core/failure.h"
 #include "core/settings/drawing_fields.h"
-#include "core/settings/settings_text.h"
+#include "core/settings/fields.h"
 
 namespace dapple {
 namespace {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/export.h"
-#include "core/placing/dot_stream.h"
 #include "core/placing/page.h"
+#include "core/placing/placer.h"
 #include "core/strokes/strokes.h"
 #include "core/text/names.h"
 

@@ -71,33 +71,6 @@ void Candidates::for_each_near(glm::dvec2 p, double radius, Visit visit) const {
     }
 }
 
-/// Points of several kinds, to be found by kind and place.
-class GridOfKinds {
- public:
-    /// `kinds`: each point's kind, below `count`.
-    GridOfKinds(const std::vector<glm::dvec2>& points, const std::vector<std::size_t>& kinds,
-                std::size_t count)
-        : numbers_(count) {
-        std::vector<std::vector<glm::dvec2>> of_kind(count);
-        for (std::uint32_t i = 0; i < points.size(); ++i) {
-            of_kind[kinds[i]].push_back(points[i]);
-            numbers_[kinds[i]].push_back(i);
-        }
-        for (auto& kind : of_kind) grids_.emplace_back(std::move(kind), 0);
-    }
-
-    /// Calls visit(i, squared distance) for every point of a kind within a radius of a place.
-    template <class Visit>
-    void for_each_near(std::size_t kind, glm::dvec2 p, double radius, Visit visit) const {
-        grids_[kind].for_each_near(
-            p, radius, [&](std::uint32_t i, double squared) { visit(numbers_[kind][i], squared); });
-    }
-
- private:
-    std::vector<Candidates> grids_;
-    std::vector<std::vector<std::uint32_t>> numbers_;
-};
-
 enum class RankingMethod {
     paper,     // each tile ranked by itself, newborn points by their rank in their own tile (section 6)
     farthest,  // newborn points of all four children together, farthest point first, inherited ones counted

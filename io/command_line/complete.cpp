@@ -10,6 +10,7 @@
 
 #include "io/settings/palettes.h"
 #include "io/settings/presets.h"
+#include "io/settings/xdg_folders.h"
 
 namespace dapple {
 namespace {
@@ -34,7 +35,8 @@ std::vector<Completion> values_of(const CLI::Option& option, const std::string& 
     }
     if (type == "PRESET") {
         for (const Preset& preset : built_in_presets()) values.push_back({preset.name, preset.about});
-        for (const std::string& name : own_presets(presets_folder())) values.push_back({name, ""});
+        for (const std::string& name : own_presets(within_folder(config_folder(), "presets")))
+            values.push_back({name, ""});
         return values;
     }
     if (type == "PENS") {
@@ -45,7 +47,8 @@ std::vector<Completion> values_of(const CLI::Option& option, const std::string& 
             for (const char* const set : {"greys", "cmyk", "auto:4"}) values.push_back({set, ""});
         for (const NamedPalette& palette : built_in_palettes())
             values.push_back({before + palette.name, palette.about});
-        for (const std::string& name : own_palettes(palettes_folder())) values.push_back({before + name, ""});
+        for (const std::string& name : own_palettes(within_folder(config_folder(), "palettes")))
+            values.push_back({before + name, ""});
         return values;
     }
     std::istringstream parts(type);

@@ -12,9 +12,9 @@
 #include "core/image/auto_tone.h"
 #include "core/image/detail.h"
 #include "core/relaxing/relax.h"
-#include "core/text/length.h"
 #include "core/text/number_words.h"
 #include "io/settings/palettes.h"
+#include "io/settings/xdg_folders.h"
 
 namespace dapple {
 namespace {
@@ -65,7 +65,7 @@ PenChoice pens_in(const std::string& text) {
     if (text.find('#') == std::string::npos && std::filesystem::is_regular_file(text, error))
         return read_pens(text);
     if (is_pen_name(text) && !names_pen_set(text))
-        return own_pens(palette_named(text, palettes_folder()).pens);
+        return own_pens(palette_named(text, within_folder(config_folder(), "palettes")).pens);
     return parse_pens(text);
 }
 
@@ -82,8 +82,7 @@ class Heading {
         : app_(app), before_(app.option_defaults()->get_group()) {
         app.option_defaults()->group(title);
     }
-    Heading(const Heading&) = delete;
-    Heading& operator=(const Heading&) = delete;
+    Heading& operator=(Heading&&) = delete;
     ~Heading() { app_.option_defaults()->group(before_); }
 
  private:

@@ -1,8 +1,11 @@
 #pragma once
 // What light a picture's stored values stand for: by a usual encoding, or by its own ICC profile.
 
+#include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -27,8 +30,7 @@ class ColourProfile {
     /// otherwise 3. A profile for another number of values, or a damaged one, counts for nothing, and so does
     /// one that says what the usual encoding says, as most do.
     ColourProfile(std::string_view icc, int values, const Encoding& usual);
-    ColourProfile(const ColourProfile&) = delete;
-    ColourProfile& operator=(const ColourProfile&) = delete;
+    ColourProfile& operator=(ColourProfile&&) = delete;
     ~ColourProfile();
 
     /// Whether it counts.
@@ -46,5 +48,22 @@ class ColourProfile {
     // Most profiles add what each value brings: by value, what that is. Empty: this one does not.
     std::vector<std::vector<glm::vec3>> parts_;
 };
+
+// What colours are, by the numbers of ITU-T H.273, which PNG's chunk cICP has.
+
+struct CodePoints {
+    int primaries = 1, transfer = 13, matrix = 0;
+    bool full_range = true;
+};
+
+struct CodedColours {
+    Encoding encoding;
+    std::optional<glm::mat3> to_srgb;  // from light of these primaries; none: they are sRGB's
+    std::string name;                  // "PQ, Rec. 2020"
+};
+
+/// For linear light, sRGB's curve, PQ and HLG, of the primaries of Rec. 709, Rec. 2020 and P3, of which white
+/// is that of Rec. 709. Nothing: others, or no RGB of the full range.
+std::optional<CodedColours> coded_colours(const CodePoints& points);
 
 }  // namespace dapple

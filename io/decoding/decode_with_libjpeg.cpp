@@ -14,8 +14,7 @@
 // After <cstdio>, which it needs.
 #include <jpeglib.h>
 
-#include "io/decoding/decode.h"
-#include "io/decoding/exif_orientation.h"
+#include "io/decoding/decoded_image.h"
 #include "io/decoding/stored_pixels.h"
 
 namespace dapple {
@@ -52,8 +51,7 @@ class JpegReader {
         jpeg_stdio_src(&jpeg_, file_);
         for (const int marker : {JPEG_APP0 + 1, JPEG_APP0 + 2}) jpeg_save_markers(&jpeg_, marker, 0xffff);
     }
-    JpegReader(const JpegReader&) = delete;
-    JpegReader& operator=(const JpegReader&) = delete;
+    JpegReader& operator=(JpegReader&&) = delete;
     ~JpegReader() {
         jpeg_destroy_decompress(&jpeg_);
         std::fclose(file_);

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "io/decoding/code_points.h"
-#include "io/decoding/decode.h"
+#include "io/decoding/colour_profile.h"
+#include "io/decoding/decoded_image.h"
 #include "io/decoding/stored_pixels.h"
 
 namespace dapple {

@@ -13,9 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "io/decoding/code_points.h"
-#include "io/decoding/decode.h"
-#include "io/decoding/exif_orientation.h"
+#include "io/decoding/colour_profile.h"
+#include "io/decoding/decoded_image.h"
 #include "io/decoding/png_calls.h"
 #include "io/decoding/stored_pixels.h"
 
@@ -50,8 +49,7 @@ class PngReader {
         png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_ALWAYS, kCodePoints, 1);
         png_set_read_fn(png_, &file_, &read_bytes);
     }
-    PngReader(const PngReader&) = delete;
-    PngReader& operator=(const PngReader&) = delete;
+    PngReader& operator=(PngReader&&) = delete;
     ~PngReader() { png_destroy_read_struct(&png_, info_ ? &info_ : nullptr, nullptr); }
 
     png_structp png() const { return png_; }

@@ -25,7 +25,6 @@
 #include <utility>
 #include <vector>
 
-#include "io/decoding/decode.h"
 #include "io/decoding/decoded_image.h"
 #include "io/decoding/psd_picture.h"
 #include "io/decoding/stored_pixels.h"

@@ -2,13 +2,35 @@
 // A picture file's content on its way from a decoder: what comes first, then its rows.
 
 #include <cstdint>
+#include <functional>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
 
+#include "io/decoding/decoder_limits.h"
+#include "io/decoding/picture_format.h"
+
 namespace dapple {
+
+// How the camera was held, as EXIF tells it: a TIFF's first directory, tag 274.
+
+/// The EXIF orientation, 1..8. 1 and any other number are upright; 5..8 swap width and height.
+struct ExifOrientation {
+    int value = 1;
+    bool swaps_sides() const { return value >= 5 && value <= 8; }
+    /// Where pixel (x, y) of a stored picture of the given size belongs when it is held upright.
+    glm::ivec2 upright(int x, int y, int width, int height) const;
+};
+
+/// Some bytes of an open file as a whole number; 0 where it ends before.
+std::uint64_t number_in_file(int file, std::uint64_t at, int bytes, bool big_endian = true);
+
+/// The orientation, 1..8, in an EXIF block without what its file puts before it. 1, upright, if there is none
+/// or it is damaged.
+int orientation_in(std::span<const unsigned char> exif);
 
 inline constexpr std::int64_t kUsualPixels = 400'000'000;
 inline constexpr std::int64_t kAnyPixels = INT64_MAX;
@@ -67,5 +89,16 @@ struct TooManyPixels : DecodeError {
 
 /// Throws TooManyPixels, or DecodeError for what no picture has (no pixels, hundreds of channels).
 void check_size(std::int64_t width, std::int64_t height, int channels, const DecodeRequest& request);
+
+// Decoding with a library: each decoder program is linked with one of the functions that do it.
+
+/// Called when the size is known, before the pixels are read, and before that with what a file merely states,
+/// which is no less.
+using BeforePixels = std::function<void(const PixelBytes&)>;
+
+/// Reads the picture behind an open file descriptor, which stays open. Throws DecodeError with a sentence
+/// that does not name the file; what the sink throws passes through.
+void decode(int file, PictureFormat format, const DecodeRequest& request, const BeforePixels& before_pixels,
+            ImageSink& sink);
 
 }  // namespace dapple

@@ -14,12 +14,11 @@
 #include <string_view>
 
 #include "core/text/number_words.h"
-#include "io/decoding/decode.h"
+#include "io/decoding/decoded_image.h"
 #include "io/decoding/decoder_limits.h"
 #include "io/decoding/decoder_sandbox.h"
 #include "io/decoding/image_pipe.h"
 #include "io/decoding/stored_pixels.h"
-#include "io/decoding/window_sink.h"
 
 int main(int argc, char** argv) {
     using namespace dapple;

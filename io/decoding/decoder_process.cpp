@@ -150,16 +150,8 @@ class TiffPage {
     }
 
  private:
-    // Some bytes of the file as a whole number; 0 where it ends before.
     std::uint64_t number_at(std::uint64_t at, int bytes) const {
-        std::array<unsigned char, 8> read{};
-        if (at > INT64_MAX ||
-            ::pread(file_, read.data(), static_cast<std::size_t>(bytes), static_cast<off_t>(at)) != bytes)
-            return 0;
-        std::uint64_t number = 0;
-        for (int i = 0; i < bytes; ++i)
-            number = number << 8 | read[static_cast<std::size_t>(big_endian_ ? i : bytes - 1 - i)];
-        return number;
+        return number_in_file(file_, at, bytes, big_endian_);
     }
 
     int file_;
@@ -243,8 +235,7 @@ Descriptor above(const Descriptor& file) {
 class Actions {
  public:
     Actions() { posix_spawn_file_actions_init(&actions_); }
-    Actions(const Actions&) = delete;
-    Actions& operator=(const Actions&) = delete;
+    Actions& operator=(Actions&&) = delete;
     ~Actions() { posix_spawn_file_actions_destroy(&actions_); }
     void open(int as, const char* path, int flags) {
         posix_spawn_file_actions_addopen(&actions_, as, path, flags, 0);
@@ -280,13 +271,12 @@ std::vector<char*> decoder_environment() {
 }
 
 // A decoder at work.
-class Process {
- public:
+struct Process : ChildProcess {
     Process(const fs::path& program, const char* reader, const DecodeRequest& request,
             const Descriptor& file) {
         auto ends = own_pipe();
         if (!ends) throw DecodeError("cannot be read: " + reason(errno));
-        output_ = std::move((*ends)[0]);
+        output = std::move((*ends)[0]);
         const Descriptor input = above((*ends)[1]);
         const Descriptor given = above(file);
         Actions actions;
@@ -302,35 +292,12 @@ class Process {
                     side = std::to_string(request.enough_side);
         std::array<char*, 7> arguments{name.data(),  format.data(), most.data(), behind.data(),
                                        shape.data(), side.data(),   nullptr};
-        const int error = ::posix_spawn(&id_, name.c_str(), actions.get(), nullptr, arguments.data(),
+        pid_t started = -1;  // of a failure nothing is to be ended
+        const int error = ::posix_spawn(&started, name.c_str(), actions.get(), nullptr, arguments.data(),
                                         decoder_environment().data());
         if (error != 0) throw DecodeError("cannot be read: " + name + " does not start: " + reason(error));
+        id = started;
     }
-    Process(const Process&) = delete;
-    Process& operator=(const Process&) = delete;
-    ~Process() {
-        if (id_ <= 0) return;
-        end();
-        wait();
-    }
-
-    int output() const { return output_.get(); }
-
-    /// Its pipe ends soon after.
-    void end() const { ::kill(id_, SIGKILL); }
-
-    /// Its status, as waitpid() tells it.
-    int wait() {
-        int status = 0;
-        while (::waitpid(id_, &status, 0) < 0 && errno == EINTR) {
-        }
-        id_ = -1;
-        return status;
-    }
-
- private:
-    Descriptor output_;
-    pid_t id_ = -1;
 };
 
 [[noreturn]] void fail_by(int status) {
@@ -380,7 +347,7 @@ void decode_open(const Descriptor& file, PictureFormat format, const fs::path& d
     {
         // Gone before the process is waited for: its number may then be another's.
         const std::stop_callback ending(stop, [&process] { process.end(); });
-        complete = receive_image(process.output(), request, sink, patience);
+        complete = receive_image(process.output.get(), request, sink, patience);
     }
     if (complete) return;
     if (stop.stop_requested()) throw DecodeError("was not read to its end: it was stopped");

@@ -42,15 +42,15 @@ bool unpack(const std::vector<unsigned char>& packed, std::vector<unsigned char>
 PsdPicture::PsdPicture(int file) : file_(file) {
     constexpr std::uint64_t kLargestBeginning = 256 << 20;
     constexpr int kGrey = 1, kRgb = 3, kDuotone = 8;
-    if (number_at(4, 2) == 2) long_bytes_ = 8;  // of over 2 gigabytes, or 30,000 pixels a side
-    channels_ = static_cast<int>(number_at(12, 2));
-    height_ = static_cast<int>(std::min<std::uint64_t>(number_at(14, 4), INT32_MAX));
-    width_ = static_cast<int>(std::min<std::uint64_t>(number_at(18, 4), INT32_MAX));
-    bits_ = static_cast<int>(number_at(22, 2));
-    const auto mode = static_cast<int>(number_at(24, 2));
-    const std::uint64_t resources = kWholeHeader + 4 + number_at(kWholeHeader, 4);
-    layers_ = resources + 4 + number_at(resources, 4);
-    data_ = layers_ + static_cast<std::uint64_t>(long_bytes_) + number_at(layers_, long_bytes_);
+    if (number_in_file(file_, 4, 2) == 2) long_bytes_ = 8;  // of over 2 gigabytes, or 30,000 pixels a side
+    channels_ = static_cast<int>(number_in_file(file_, 12, 2));
+    height_ = static_cast<int>(std::min<std::uint64_t>(number_in_file(file_, 14, 4), INT32_MAX));
+    width_ = static_cast<int>(std::min<std::uint64_t>(number_in_file(file_, 18, 4), INT32_MAX));
+    bits_ = static_cast<int>(number_in_file(file_, 22, 2));
+    const auto mode = static_cast<int>(number_in_file(file_, 24, 2));
+    const std::uint64_t resources = kWholeHeader + 4 + number_in_file(file_, kWholeHeader, 4);
+    layers_ = resources + 4 + number_in_file(file_, resources, 4);
+    data_ = layers_ + static_cast<std::uint64_t>(long_bytes_) + number_in_file(file_, layers_, long_bytes_);
     std::array<char, 2> way{};
     if (layers_ > kLargestBeginning || data_ > INT64_MAX ||
         ::pread(file_, way.data(), way.size(), static_cast<off_t>(data_)) != 2)
@@ -73,29 +73,18 @@ std::vector<unsigned char> PsdPicture::beginning() const {
     return bytes;
 }
 
-// Some bytes of the file as a whole number; 0 where it ends before.
-std::uint64_t PsdPicture::number_at(std::uint64_t at, int bytes) const {
-    std::array<unsigned char, 8> read{};
-    if (at > INT64_MAX ||
-        ::pread(file_, read.data(), static_cast<std::size_t>(bytes), static_cast<off_t>(at)) != bytes)
-        return 0;
-    std::uint64_t number = 0;
-    for (int i = 0; i < bytes; ++i) number = number << 8 | read[static_cast<std::size_t>(i)];
-    return number;
-}
-
 // The first channel after the colours is transparency if the number of layers is below 0. Of 16 and 32 bits,
 // layers lie in a block of their own, behind the masks; without layers another one says so.
 bool PsdPicture::says_transparent() const {
     const auto long_bytes = static_cast<std::uint64_t>(long_bytes_);
-    const auto below_zero = [this](std::uint64_t at) { return (number_at(at, 2) & 0x8000) != 0; };
+    const auto below_zero = [this](std::uint64_t at) { return (number_in_file(file_, at, 2) & 0x8000) != 0; };
     std::uint64_t at = layers_ + long_bytes;
     if (at == data_) return false;
-    const std::uint64_t layers = number_at(at, long_bytes_);
+    const std::uint64_t layers = number_in_file(file_, at, long_bytes_);
     at += long_bytes;
     if (layers > 0 && below_zero(at)) return true;
     at += layers;
-    at += 4 + number_at(at, 4);
+    at += 4 + number_in_file(file_, at, 4);
     for (constexpr std::uint64_t kBlock = 12; at < data_ && data_ - at >= kBlock;) {
         std::array<char, 8> begin{};
         if (::pread(file_, begin.data(), begin.size(), static_cast<off_t>(at)) != 8) return false;
@@ -107,7 +96,7 @@ bool PsdPicture::says_transparent() const {
                                                         "FEid", "FXid", "PxSD"};
         const bool is_long = long_bytes_ == 8 && (is_layers || std::ranges::find(kLong, key) != kLong.end());
         const int bytes = is_long ? 8 : 4;
-        const std::uint64_t size = number_at(at + 8, bytes);
+        const std::uint64_t size = number_in_file(file_, at + 8, bytes);
         at += 8 + static_cast<std::uint64_t>(bytes);
         if (is_layers && below_zero(at)) return true;
         if (size > data_ - std::min(at, data_)) return false;

@@ -27,7 +27,6 @@ class PsdPicture {
     void read(int begin, int end, float* pixels);
 
  private:
-    std::uint64_t number_at(std::uint64_t at, int bytes) const;
     bool says_transparent() const;
     void find_rows();
     void find_white();

@@ -67,8 +67,7 @@ class PartFile {
             return static_cast<bool>(file_);
         });
     }
-    PartFile(const PartFile&) = delete;
-    PartFile& operator=(const PartFile&) = delete;
+    PartFile& operator=(PartFile&&) = delete;
     ~PartFile() {
         if (!name_.empty()) ::unlink(name_.c_str());
     }

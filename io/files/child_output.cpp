@@ -3,12 +3,10 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <spawn.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
-#include <csignal>
 #include <cstdlib>
 #include <sstream>
 #include <stdexcept>
@@ -28,14 +26,12 @@ std::runtime_error child_error(const std::string& program, const std::string& wh
     return std::runtime_error(program + " " + what);
 }
 
-// A program at work, ended where it is left.
-class Child {
- public:
+struct Child : ChildProcess {
     explicit Child(const std::vector<std::string>& words) {
         auto ends = own_pipe();
         if (!ends)
             throw child_error(words[0], "cannot be started: " + std::generic_category().message(errno));
-        output_ = std::move((*ends)[0]);
+        output = std::move((*ends)[0]);
         const Descriptor input = std::move((*ends)[1]);
         std::vector<char*> arguments;
         for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
@@ -45,32 +41,14 @@ class Child {
         posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
         posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
         posix_spawn_file_actions_adddup2(&actions, input.get(), STDOUT_FILENO);
-        const int error = ::posix_spawnp(&id_, arguments[0], &actions, nullptr, arguments.data(), environ);
+        pid_t started = -1;  // of a failure nothing is to be ended
+        const int error =
+            ::posix_spawnp(&started, arguments[0], &actions, nullptr, arguments.data(), environ);
         posix_spawn_file_actions_destroy(&actions);
         if (error != 0)
             throw child_error(words[0], "cannot be started: " + std::generic_category().message(error));
+        id = started;
     }
-    Child(const Child&) = delete;
-    Child& operator=(const Child&) = delete;
-    ~Child() {
-        if (id_ <= 0) return;
-        ::kill(id_, SIGKILL);
-        wait();
-    }
-
-    int output() const { return output_.get(); }
-
-    int wait() {
-        int status = 0;
-        while (::waitpid(id_, &status, 0) < 0 && errno == EINTR) {
-        }
-        id_ = -1;
-        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    }
-
- private:
-    Descriptor output_;
-    pid_t id_ = -1;
 };
 
 }  // namespace
@@ -94,16 +72,17 @@ std::optional<ChildOutput> output_of(const std::vector<std::string>& words, cons
         if (stop.stop_requested()) return std::nullopt;
         if (limits.longest && ChildClock::now() - begin > *limits.longest)
             throw child_error(words[0], "did not answer and was ended");
-        pollfd waits{child.output(), POLLIN, 0};
+        pollfd waits{child.output.get(), POLLIN, 0};
         if (::poll(&waits, 1, kLookEvery) <= 0) continue;
-        const ssize_t got = ::read(child.output(), buffer.data(), buffer.size());
+        const ssize_t got = ::read(child.output.get(), buffer.data(), buffer.size());
         if (got < 0 && errno == EINTR) continue;
         if (got <= 0) break;
         output.bytes.append(buffer.data(), static_cast<std::size_t>(got));
         if (output.bytes.size() > limits.most_bytes)
             throw child_error(words[0], "gave more than can be taken and was stopped");
     }
-    output.status = child.wait();
+    const int status = child.wait();
+    output.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     return output;
 }
 

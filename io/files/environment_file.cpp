@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "core/text/shown_text.h"
+#include "io/decoding/decoded_image.h"
 #include "io/decoding/decoder_process.h"
-#include "io/decoding/exif_orientation.h"
 
 namespace dapple {
 

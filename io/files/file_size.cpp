@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "core/output/raster.h"
-#include "core/text/length.h"
+#include "core/text/number_words.h"
 #include "io/files/pdf_file.h"
 
 namespace dapple {

@@ -58,8 +58,7 @@ class PdfWriter : public InkWriter {
             cairo_paint(context_);
         }
     }
-    PdfWriter(const PdfWriter&) = delete;
-    PdfWriter& operator=(const PdfWriter&) = delete;
+    PdfWriter& operator=(PdfWriter&&) = delete;
     ~PdfWriter() override {
         dropped_ = true;
         cairo_destroy(context_);

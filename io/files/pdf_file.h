@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/output/ink.h"
-#include "core/text/length.h"
+#include "core/text/number_words.h"
 
 namespace dapple {
 

@@ -1,11 +1,17 @@
 #include "io/files/picture.h"
 
+#include <fmt/format.h>
+
+#include <stb_image.h>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
+#include <memory>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include "core/drawing/pipeline.h"
 #include "core/image/auto_tone.h"
@@ -34,6 +40,27 @@ int pixels_in_one(int width, int height, std::int64_t most) {
     const double pixels = static_cast<double>(width) * height;
     return std::max(1, static_cast<int>(std::ceil(std::sqrt(pixels / static_cast<double>(most)))));
 }
+
+class PictureSink : public ImageSink {
+ public:
+    explicit PictureSink(PictureColours colours) : colours_(colours) {}
+    void begin(const ImageHeader& header) override {
+        builder_.emplace(header.width, header.height, ExifOrientation{header.orientation}, colours_);
+        header_ = header;
+    }
+    void row(std::span<const glm::vec3> colours) override { builder_->add_row(row_++, colours); }
+    Picture finish() {
+        Picture picture = builder_->finish(std::move(header_.description), header_.scene_light);
+        picture.remark = std::move(header_.remark);
+        return picture;
+    }
+
+ private:
+    PictureColours colours_;
+    std::optional<PictureBuilder> builder_;
+    ImageHeader header_;
+    int row_ = 0;
+};
 
 }  // namespace
 
@@ -101,31 +128,6 @@ Picture PictureBuilder::finish(std::string description, bool scene_light) {
     return picture;
 }
 
-namespace {
-
-class PictureSink : public ImageSink {
- public:
-    explicit PictureSink(PictureColours colours) : colours_(colours) {}
-    void begin(const ImageHeader& header) override {
-        builder_.emplace(header.width, header.height, ExifOrientation{header.orientation}, colours_);
-        header_ = header;
-    }
-    void row(std::span<const glm::vec3> colours) override { builder_->add_row(row_++, colours); }
-    Picture finish() {
-        Picture picture = builder_->finish(std::move(header_.description), header_.scene_light);
-        picture.remark = std::move(header_.remark);
-        return picture;
-    }
-
- private:
-    PictureColours colours_;
-    std::optional<PictureBuilder> builder_;
-    ImageHeader header_;
-    int row_ = 0;
-};
-
-}  // namespace
-
 Picture read_picture(const std::filesystem::path& path, PictureLimit limit, PictureColours colours,
                      std::stop_token stop, PictureBehind behind) {
     PictureSink sink(colours);
@@ -154,6 +156,31 @@ std::optional<Picture> read_first_look(const std::filesystem::path& path, Pictur
 void set_picture(Pipeline& pipeline, Picture picture) {
     pipeline.set_light(std::move(picture.light), picture.exposure, picture.pixels_in_one);
     if (!picture.colours.empty()) pipeline.set_colours(std::move(picture.colours));
+}
+
+Picture decode_png(std::string_view bytes, PictureColours colours) {
+    int width = 0, height = 0, channels = 0;
+    const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> pixels(
+        stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()), static_cast<int>(bytes.size()),
+                              &width, &height, &channels, STBI_rgb_alpha),
+        &stbi_image_free);
+    if (!pixels) throw std::runtime_error("the picture in memory is not a PNG that can be read");
+
+    std::array<float, 256> linear;
+    for (int i = 0; i < 256; ++i) linear[i] = srgb_to_linear(static_cast<float>(i) / 255.0f);
+
+    PictureBuilder builder(width, height, {}, colours);
+    std::vector<glm::vec3> row(width);
+    const stbi_uc* pixel = pixels.get();
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x, pixel += 4) {
+            const float alpha = static_cast<float>(pixel[3]) / 255.0f;
+            const glm::vec3 colour{linear[pixel[0]], linear[pixel[1]], linear[pixel[2]]};
+            row[x] = colour * alpha + (1.0f - alpha);
+        }
+        builder.add_row(y, row);
+    }
+    return builder.finish(fmt::format("{} x {} pixels, 8-bit png", width, height));
 }
 
 }  // namespace dapple

@@ -15,7 +15,6 @@
 #include "core/image/colour.h"
 #include "core/image/grid.h"
 #include "io/decoding/decoded_image.h"
-#include "io/decoding/exif_orientation.h"
 
 namespace dapple {
 

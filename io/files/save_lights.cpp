@@ -7,7 +7,7 @@
 
 #include "core/failure.h"
 #include "core/lights/light_list.h"
-#include "core/lights/light_picture.h"
+#include "core/lights/lit_objects.h"
 #include "core/maths/portable_math.h"
 #include "io/files/atomic_file.h"
 #include "io/files/png_file.h"
@@ -22,7 +22,7 @@ struct LightFormat {
     std::string_view ending;
     int bytes_of_one;  // sample, of photographed maps
     SphereConvention usual;
-    void (*write)(std::ostream& out, const LightSamples& lights, const LightListStyle& style);
+    void (*write)(TextBuffer& text, const LightSamples& lights, const LightListStyle& style);
 };
 
 // In the order of LightFile.
@@ -65,10 +65,10 @@ void save_lights(const fs::path& path, const EnvironmentMap& map, const LightSam
     const LightListStyle style{saving.convention.value_or(format.usual), saving.rotation_degrees,
                                saving.source};
     save_atomically(path, [&](std::ostream& out) {
-        if (format.write)
-            format.write(out, lights, style);
-        else
-            write_picture(out, map, lights, saving.stops);
+        if (!format.write) return write_picture(out, map, lights, saving.stops);
+        TextBuffer text(out);
+        format.write(text, lights, style);
+        text.flush();
     });
 }
 

@@ -13,7 +13,7 @@
 
 #include "core/output/raster.h"
 #include "core/output/sheet.h"
-#include "core/text/length.h"
+#include "core/text/number_words.h"
 #include "io/files/png_file.h"
 #include "io/files/tiff_file.h"
 

@@ -9,7 +9,7 @@
 #include "core/drawing/settings.h"
 #include "core/output/sheet.h"
 #include "core/pens/pen.h"
-#include "core/text/length.h"
+#include "core/text/number_words.h"
 
 namespace dapple {
 

@@ -83,14 +83,11 @@ DotPieces first_dots(const DotPieces& dots, std::size_t count) {
         const std::size_t here = std::min(count, piece.size());
         Dots part;
         part.pen = piece.pen;
-        const auto take = [here](const FloatBuffer& from, FloatBuffer& to) {
-            to.assign(from.begin(), from.begin() + static_cast<std::ptrdiff_t>(std::min(here, from.size())));
-        };
-        take(piece.x, part.x);
-        take(piece.y, part.y);
-        take(piece.threshold, part.threshold);
-        take(piece.critical, part.critical);
-        take(piece.radius, part.radius);
+        for (const auto column : kDotColumns) {
+            const FloatBuffer& from = piece.*column;
+            const auto end = static_cast<std::ptrdiff_t>(std::min(here, from.size()));
+            (part.*column).assign(from.begin(), from.begin() + end);
+        }
         first.pieces.push_back(std::move(part));
         count -= here;
     }

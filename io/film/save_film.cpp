@@ -30,8 +30,7 @@ struct WebpPixels : WebPPicture {
         height = frame.height;
         if (!WebPPictureImportRGB(this, &frame.values.front().x, 3 * frame.width)) throw std::bad_alloc();
     }
-    WebpPixels(const WebpPixels&) = delete;
-    WebpPixels& operator=(const WebpPixels&) = delete;
+    WebpPixels& operator=(WebpPixels&&) = delete;
     ~WebpPixels() { WebPPictureFree(this); }
 };
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/text/length.h"
+#include "core/text/number_words.h"
 #include "core/text/text_lines.h"
 
 namespace dapple {

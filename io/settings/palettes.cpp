@@ -15,7 +15,6 @@
 #include "core/text/shown_text.h"
 #include "io/files/text_file.h"
 #include "io/settings/project.h"
-#include "io/settings/xdg_folders.h"
 
 namespace dapple {
 
@@ -187,11 +186,6 @@ NamedFiles palette_files(const fs::path& folder) {
 const std::vector<NamedPalette>& built_in_palettes() {
     static const std::vector<NamedPalette> palettes = made_palettes();
     return palettes;
-}
-
-fs::path palettes_folder() {
-    const fs::path ours = config_folder();
-    return ours.empty() ? ours : ours / "palettes";
 }
 
 std::vector<std::string> own_palettes(const fs::path& folder) {

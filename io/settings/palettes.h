@@ -46,7 +46,4 @@ void save_palette(const std::string& name, const Palette& pens, const std::files
 /// Throws std::runtime_error if it is not there or stays.
 void remove_palette(const std::string& name, const std::filesystem::path& folder);
 
-/// Where a person's own are: below config_folder(); empty if there is none.
-std::filesystem::path palettes_folder();
-
 }  // namespace dapple

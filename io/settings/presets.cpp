@@ -4,10 +4,9 @@
 
 #include "core/failure.h"
 #include "core/settings/drawing_fields.h"
-#include "core/settings/settings_text.h"
+#include "core/settings/fields.h"
 #include "core/text/shown_text.h"
 #include "io/files/text_file.h"
-#include "io/settings/xdg_folders.h"
 
 namespace dapple {
 namespace {
@@ -99,11 +98,6 @@ Describe all_of_preset(SavedSettings& settings) {
 const std::vector<Preset>& built_in_presets() {
     static const std::vector<Preset> presets = made_presets();
     return presets;
-}
-
-fs::path presets_folder() {
-    const fs::path ours = config_folder();
-    return ours.empty() ? ours : ours / "presets";
 }
 
 std::vector<std::string> own_presets(const fs::path& folder) {

@@ -1,6 +1,6 @@
 #pragma once
 // Presets: how drawings are made and saved, by a name, for any picture. Some come with the program; a
-// person's own are settings, as settings_text.h has them, in $XDG_CONFIG_HOME/dapple/presets/NAME.dapple.
+// person's own are settings, as fields.h has them, in $XDG_CONFIG_HOME/dapple/presets/NAME.dapple.
 
 #include <filesystem>
 #include <string>
@@ -34,8 +34,5 @@ void remove_preset(const std::string& name, const std::filesystem::path& folder)
 
 /// A preset's settings, except for what is the picture's own: its crop, its turns, its exposure, its mask.
 DrawingSettings with_preset(const DrawingSettings& preset, const DrawingSettings& present);
-
-/// Where a person's own are: below config_folder(); empty if there is none.
-std::filesystem::path presets_folder();
 
 }  // namespace dapple

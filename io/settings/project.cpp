@@ -78,8 +78,6 @@ void NamedFiles::remove(const std::string& name) const {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 // Ours come first in both kinds of files, and are short.
 constexpr TextKind kDrawing{.what = "drawing", .most_bytes = 1'000'000, .beginning = true};
 
@@ -173,8 +171,6 @@ SavedSettings settings_from(const fs::path& file) {
 }
 
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr TextKind kProject{"project", 1'000'000};
 

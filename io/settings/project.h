@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "core/drawing/settings.h"
-#include "core/settings/settings_text.h"
+#include "core/settings/fields.h"
 
 namespace dapple {
 

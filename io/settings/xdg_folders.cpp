@@ -4,17 +4,6 @@
 #include <system_error>
 
 namespace dapple {
-
-namespace fs = std::filesystem;
-
-fs::path working_folder() {
-    std::error_code gone;
-    fs::path folder = fs::current_path(gone);
-    if (!gone) return folder;
-    folder = home_folder();
-    return folder.empty() ? fs::path("/") : folder;
-}
-
 namespace {
 
 namespace fs = std::filesystem;
@@ -26,29 +15,40 @@ fs::path absolute_in(const char* variable) {
     return path.is_absolute() ? path : fs::path();
 }
 
-fs::path base_folder(const char* variable, const char* below_home) {
-    if (fs::path given = absolute_in(variable); !given.empty()) return given;
-    const fs::path home = home_folder();
-    return home.empty() ? fs::path() : home / below_home;
-}
-
-fs::path ours_in(const fs::path& base) {
-    return base.empty() ? base : base / "dapple";
+fs::path ours_in(const char* variable, const char* below_home) {
+    fs::path base = absolute_in(variable);
+    if (base.empty()) base = within_folder(home_folder(), below_home);
+    return within_folder(base, "dapple");
 }
 
 }  // namespace
 
+fs::path within_folder(const fs::path& folder, const char* name) {
+    return folder.empty() ? folder : folder / name;
+}
+
+fs::path working_folder() {
+    std::error_code gone;
+    fs::path folder = fs::current_path(gone);
+    if (!gone) return folder;
+    folder = home_folder();
+    return folder.empty() ? fs::path("/") : folder;
+}
+
 fs::path home_folder() {
     return absolute_in("HOME");
 }
+
 fs::path config_folder() {
-    return ours_in(base_folder("XDG_CONFIG_HOME", ".config"));
+    return ours_in("XDG_CONFIG_HOME", ".config");
 }
+
 fs::path data_folder() {
-    return ours_in(base_folder("XDG_DATA_HOME", ".local/share"));
+    return ours_in("XDG_DATA_HOME", ".local/share");
 }
+
 fs::path state_folder() {
-    return ours_in(base_folder("XDG_STATE_HOME", ".local/state"));
+    return ours_in("XDG_STATE_HOME", ".local/state");
 }
 
 }  // namespace dapple

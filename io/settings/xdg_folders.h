@@ -17,6 +17,9 @@ std::filesystem::path config_folder();
 std::filesystem::path state_folder();
 /// $XDG_DATA_HOME/dapple, or ~/.local/share/dapple: what a person made and has no other place.
 std::filesystem::path data_folder();
+/// A folder or file within one; empty if that is.
+std::filesystem::path within_folder(const std::filesystem::path& folder, const char* name);
+
 /// $HOME; may be empty.
 std::filesystem::path home_folder();
 

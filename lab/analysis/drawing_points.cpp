@@ -7,7 +7,6 @@
 #include <optional>
 #include <stdexcept>
 
-#include "core/text/length.h"
 #include "core/text/number_words.h"
 
 namespace dapple {

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <sstream>
 
-#include "core/analysis/spectrum.h"
+#include "core/analysis/periodogram.h"
 #include "core/output/raster.h"
-#include "core/text/length.h"
+#include "core/text/number_words.h"
 #include "core/text/shown_text.h"
 #include "core/tile/tile_file.h"
 #include "io/files/png_file.h"

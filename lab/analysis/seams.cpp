@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/output/raster.h"
-#include "core/text/length.h"
+#include "core/text/number_words.h"
 
 namespace dapple {
 

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <numeric>
 
-#include "core/image/blur.h"
+#include "core/image/detail.h"
 
 namespace dapple {
 namespace {

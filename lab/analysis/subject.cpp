@@ -12,7 +12,7 @@
 #include "core/drawing/pipeline.h"
 #include "core/image/auto_tone.h"
 #include "core/output/raster.h"
-#include "core/text/length.h"
+#include "core/text/number_words.h"
 #include "core/text/shown_text.h"
 #include "io/files/picture.h"
 #include "io/files/text_file.h"

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "core/image/blur.h"
+#include "core/image/detail.h"
 #include "lab/analysis/ssim.h"
 
 namespace dapple {

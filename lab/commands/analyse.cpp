@@ -14,8 +14,8 @@
 #include <string>
 
 #include "core/analysis/domain.h"
+#include "core/analysis/periodogram.h"
 #include "core/analysis/report.h"
-#include "core/analysis/spectrum.h"
 #include "core/drawing/settings.h"
 #include "core/text/number_words.h"
 #include "io/available_memory.h"

@@ -12,7 +12,6 @@
 #include <thread>
 
 #include "core/analysis/periodogram.h"
-#include "core/analysis/spectrum.h"
 #include "core/image/tone.h"
 #include "lab/analysis/report_page.h"
 #include "lab/analysis/seams.h"

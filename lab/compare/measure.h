@@ -11,7 +11,7 @@
 
 #include "core/analysis/discrepancy.h"
 #include "core/analysis/distances.h"
-#include "core/analysis/spectrum.h"
+#include "core/analysis/periodogram.h"
 #include "core/image/ink.h"
 #include "lab/compare/cell_marks.h"
 #include "lab/compare/contenders.h"

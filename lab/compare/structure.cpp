@@ -9,7 +9,7 @@
 #include <numeric>
 #include <vector>
 
-#include "core/image/blur.h"
+#include "core/image/detail.h"
 #include "core/image/tone.h"
 #include "lab/analysis/ssim.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/image/environment.h"
-#include "core/lights/light_picture.h"
+#include "core/lights/lit_objects.h"
 #include "core/text/shown_text.h"
 #include "io/files/environment_file.h"
 #include "lab/analysis/report_page.h"

@@ -3,8 +3,8 @@
 #include <array>
 #include <sstream>
 
+#include "core/analysis/periodogram.h"
 #include "core/analysis/report.h"
-#include "core/analysis/spectrum.h"
 #include "core/output/drawing_format.h"
 #include "io/reports/plot.h"
 #include "lab/analysis/report_page.h"

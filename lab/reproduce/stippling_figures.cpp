@@ -6,7 +6,7 @@
 #include "core/image/ink.h"
 #include "core/image/tone.h"
 #include "core/output/raster.h"
-#include "core/text/length.h"
+#include "core/text/number_words.h"
 #include "core/text/shown_text.h"
 #include "io/files/picture.h"
 #include "io/files/tile_library.h"

@@ -6,12 +6,42 @@
 // The kinds of a tile of several count alike.
 
 #include <array>
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <utility>
 #include <vector>
 
 #include "core/tile/ranking.h"
 #include "core/tile/tile.h"
 
 namespace dapple {
+
+/// Points of several kinds, to be found by kind and place.
+class GridOfKinds {
+ public:
+    /// `kinds`: each point's kind, below `count`.
+    GridOfKinds(const std::vector<glm::dvec2>& points, const std::vector<std::size_t>& kinds,
+                std::size_t count)
+        : numbers_(count) {
+        std::vector<std::vector<glm::dvec2>> of_kind(count);
+        for (std::uint32_t i = 0; i < points.size(); ++i) {
+            of_kind[kinds[i]].push_back(points[i]);
+            numbers_[kinds[i]].push_back(i);
+        }
+        for (auto& kind : of_kind) grids_.emplace_back(std::move(kind), 0);
+    }
+
+    /// Calls visit(i, squared distance) for every point of a kind within a radius of a place.
+    template <class Visit>
+    void for_each_near(std::size_t kind, glm::dvec2 p, double radius, Visit visit) const {
+        grids_[kind].for_each_near(
+            p, radius, [&](std::uint32_t i, double squared) { visit(numbers_[kind][i], squared); });
+    }
+
+ private:
+    std::vector<Candidates> grids_;
+    std::vector<std::vector<std::uint32_t>> numbers_;
+};
 
 /// How many points lie in each quadrant. A balanced tile has N / 4 everywhere (section 5 of the paper).
 std::array<int, 4> letter_counts(const Tile& tile);

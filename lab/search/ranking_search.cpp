@@ -7,6 +7,7 @@
 
 #include "core/tile/random.h"
 #include "core/tile/ranking.h"
+#include "lab/search/criteria.h"
 
 namespace dapple {
 

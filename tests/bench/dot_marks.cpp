@@ -6,7 +6,6 @@
 
 #include "core/analysis/autocorrelation.h"
 #include "core/analysis/periodogram.h"
-#include "core/analysis/spectrum.h"
 #include "core/relaxing/relax.h"
 #include "core/relaxing/stir.h"
 #include "lab/analysis/seams.h"

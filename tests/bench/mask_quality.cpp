@@ -14,10 +14,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/analysis/spectrum.h"
+#include "core/analysis/periodogram.h"
 #include "core/drawing/settings.h"
 #include "core/screening/threshold_mask.h"
-#include "core/screening/void_and_cluster.h"
 #include "io/files/tile_library.h"
 
 namespace {

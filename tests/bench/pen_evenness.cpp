@@ -17,10 +17,9 @@
 
 #include "core/analysis/distances.h"
 #include "core/analysis/periodogram.h"
-#include "core/analysis/spectrum.h"
 #include "core/drawing/pipeline.h"
 #include "core/drawing/settings.h"
-#include "core/image/blur.h"
+#include "core/image/detail.h"
 #include "core/pens/pen_dots.h"
 #include "io/files/picture.h"
 #include "io/files/tile_library.h"

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "core/analysis/distances.h"
-#include "core/analysis/spectrum.h"
+#include "core/analysis/periodogram.h"
 #include "lab/volume/cyclic_tile.h"
 #include "tests/bench/cyclic_words.h"
 

@@ -6,7 +6,7 @@
 #include <exception>
 #include <stdexcept>
 
-#include "io/decoding/decode.h"
+#include "io/decoding/decoded_image.h"
 #include "io/decoding/decoder_limits.h"
 
 namespace dapple {

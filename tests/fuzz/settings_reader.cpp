@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "core/settings/drawing_fields.h"
-#include "core/settings/settings_text.h"
+#include "core/settings/fields.h"
 
 namespace dapple {
 namespace {

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "app/viewer/background/dot_blocks.h"
-#include "app/viewer/background/shown_strokes.h"
 #include "core/drawing/page_setup.h"
 #include "core/drawing/pipeline.h"
 #include "core/drawing/settings.h"

@@ -1,20 +1,58 @@
 #include "app/viewer/background/workbench.h"
 
+#include <malloc.h>
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <exception>
 #include <new>
+#include <utility>
 
-#include "app/viewer/background/mipmaps.h"
+#include "app/viewer/background/small_pictures.h"
 #include "io/files/tile_library.h"
 
 #ifdef __GLIBC__
-#include <malloc.h>
 #endif
 
 namespace dapple {
 
 namespace {
+
+std::vector<glm::vec2> points_by_rank(const Tile& tile, const std::vector<int>& ranks) {
+    std::vector<glm::vec2> points(tile.size());
+    for (std::size_t i = 0; i < tile.size(); ++i) points[ranks[i]] = to_unit_square(tile.points[i]);
+    return points;
+}
+
+// The upper left corner of a cell in units of its side: its index's base-4 digits are quadrants.
+glm::vec2 corner_of_cell(std::size_t index, int depth) {
+    glm::vec2 corner{0, 0};
+    for (int level = 0; level < depth; ++level) {
+        const auto weight = static_cast<float>(1 << level);
+        corner.x += weight * static_cast<float>(index & 1);
+        corner.y += weight * static_cast<float>((index >> 1) & 1);
+        index >>= 2;
+    }
+    return corner;
+}
+
+// The tile's own points, then the newborn ones.
+std::vector<glm::vec2> points_by_rank(const PlacingTable& table) {
+    std::vector<std::pair<float, glm::vec2>> born;
+    const auto side = std::ldexp(1.0f, -table.cell_depth);
+    for (std::size_t c = 0; c < table.cells.size(); ++c) {
+        const glm::vec2 corner = corner_of_cell(c, table.cell_depth);
+        const CellPoints& points = table.cells[c].all;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const CellPoint point = points[i];
+            born.emplace_back(point.rank, (corner + glm::vec2(point.x, point.y) * 0.5f + 0.5f) * side);
+        }
+    }
+    std::ranges::stable_sort(born, {}, &std::pair<float, glm::vec2>::first);
+    std::vector<glm::vec2> points;
+    for (const auto& [rank, point] : born) points.push_back(point);
+    return points;
+}
 
 constexpr std::size_t kMostSpare = 2;
 constexpr std::size_t kManyDots = 1'000'000;  // fewer are not worth giving their memory back
@@ -66,7 +104,38 @@ bool same_tile(const DotsRequest& a, const DotsRequest& b) {
     return one.tile == other.tile && one.ranking == other.ranking && one.placer == other.placer;
 }
 
+// Mean over a window by so many samples along each side, times the window's area.
+double density_in(const Density& page, const PageWindow& window) {
+    constexpr int kSamples = 64;
+    double sum = 0;
+    for (int y = 0; y < kSamples; ++y)
+        for (int x = 0; x < kSamples; ++x)
+            sum += page.at({static_cast<double>(window.x) * 0x1p-62 + window.width * (x + 0.5) / kSamples,
+                            static_cast<double>(window.y) * 0x1p-62 + window.height * (y + 0.5) / kSamples});
+    return sum / (kSamples * kSamples) * window.width * window.height;
+}
+
+PlacingRequest close_placing(const Density& page, const DotsRequest& request) {
+    // A window may be as small as 2^-41 of the page.
+    const double most = static_cast<double>(request.most_dots);
+    const double limit = most / (kDotsPerScale * std::max(density_in(page, request.close->window), 1e-200));
+    return {.scale = std::min(request.close->scale, limit),
+            .threads = request.drawing.placing.threads,
+            .thresholds = true,
+            .window = request.close->window};
+}
+
 }  // namespace
+
+TileView view_of(std::string name, RankedTile& tile, PlacerKind placer) {
+    if (placer == PlacerKind::figure8)
+        return {std::move(name), tile.tile().rule, points_by_rank(tile.tile(), tile.own_ranks())};
+    std::vector<glm::vec2> points = points_by_rank(tile.placer().table());
+    const auto own = points.begin() + static_cast<std::ptrdiff_t>(tile.tile().size());
+    TileView view{std::move(name), tile.tile().rule, {points.begin(), own}, {}, tile.tile().next_kind};
+    if (tile.tile().kinds() == 1) view.newborn.assign(own, points.end());
+    return view;
+}
 
 // Keeps few, and none with far more room than drawings of so many dots as the last need.
 void Workbench::sort_spare() {
@@ -100,31 +169,6 @@ DrawingPlan Workbench::plan(const DotsRequest& request) {
     if (request.close) drawing.mask = drawing.mask.without_finer();  // all dots are alike there
     return pipeline_.plan(drawing, request.most_dots);
 }
-
-namespace {
-
-// Mean over a window by so many samples along each side, times the window's area.
-double density_in(const Density& page, const PageWindow& window) {
-    constexpr int kSamples = 64;
-    double sum = 0;
-    for (int y = 0; y < kSamples; ++y)
-        for (int x = 0; x < kSamples; ++x)
-            sum += page.at({static_cast<double>(window.x) * 0x1p-62 + window.width * (x + 0.5) / kSamples,
-                            static_cast<double>(window.y) * 0x1p-62 + window.height * (y + 0.5) / kSamples});
-    return sum / (kSamples * kSamples) * window.width * window.height;
-}
-
-PlacingRequest close_placing(const Density& page, const DotsRequest& request) {
-    // A window may be as small as 2^-41 of the page.
-    const double most = static_cast<double>(request.most_dots);
-    const double limit = most / (kDotsPerScale * std::max(density_in(page, request.close->window), 1e-200));
-    return {.scale = std::min(request.close->scale, limit),
-            .threads = request.drawing.placing.threads,
-            .thresholds = true,
-            .window = request.close->window};
-}
-
-}  // namespace
 
 bool Workbench::place(const DotsRequest& request, PlacedDrawing& drawing, std::stop_token stop,
                       const Unsettled& unsettled) {

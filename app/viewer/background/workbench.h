@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <glm/vec2.hpp>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -16,13 +17,29 @@
 
 #include "app/viewer/background/background.h"
 #include "app/viewer/background/dots_request.h"
-#include "app/viewer/background/tile_view.h"
 #include "core/drawing/pipeline.h"
+#include "core/placing/stipple.h"
 #include "core/watch.h"
 #include "io/files/picture.h"
 #include "io/files/save_drawing.h"
 
 namespace dapple {
+
+// A tile as the window shows it.
+
+struct TileView {
+    std::string name;
+    Rule rule;  // how the tile is turned in each of its quadrants
+    std::vector<glm::vec2>
+        points;  // in the unit square, y down, in the order in which they appear; of kind 0
+    /// The same for those that its children add to it, after which all of their points are there; Figure 8
+    /// has no such order, and several kinds have several.
+    std::vector<glm::vec2> newborn = {};
+    NextKinds next_kind = NextKinds(1);
+};
+
+/// The tile's own points in the order that the placer gives them; Figure 8 has one of its own.
+TileView view_of(std::string name, RankedTile& tile, PlacerKind placer);
 
 /// Where a drawing is while its dots are still to be relaxed further: told with the drawing as it lies then,
 /// which is made when it is called. False ends it there.

@@ -9,7 +9,7 @@
 #include "app/viewer/widgets/keys.h"
 #include "app/viewer/widgets/theme.h"
 #include "app/viewer/widgets/widgets.h"
-#include "core/lights/light_picture.h"
+#include "core/lights/lit_objects.h"
 
 namespace dapple {
 namespace {

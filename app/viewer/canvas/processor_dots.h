@@ -15,7 +15,6 @@
 #include <vector>
 
 #include "app/viewer/background/dot_blocks.h"
-#include "app/viewer/background/shown_strokes.h"
 #include "app/viewer/canvas/gl_objects.h"
 #include "app/viewer/view/dot_raster.h"
 #include "core/image/rectangle.h"

@@ -70,18 +70,22 @@ void set_colour(const GlProgram& program, const char* name, glm::vec3 colour) {
     glUniform3f(program.uniform(name), colour.r, colour.g, colour.b);
 }
 
-void column(GLuint location, const GlStreamBuffer& buffer, GLint components, GLuint divisor) {
+// Bytes are colours.
+void column(GLuint location, const GlStreamBuffer& buffer, GLint components, GLuint divisor,
+            GLenum type = GL_FLOAT) {
     buffer.bind();
     glEnableVertexAttribArray(location);
-    glVertexAttribPointer(location, components, GL_FLOAT, GL_FALSE, 0, nullptr);
+    glVertexAttribPointer(location, components, type, type == GL_UNSIGNED_BYTE, 0, nullptr);
     glVertexAttribDivisor(location, divisor);
 }
 
-void colour_column(GLuint location, const GlStreamBuffer& buffer, GLuint divisor) {
-    buffer.bind();
-    glEnableVertexAttribArray(location);
-    glVertexAttribPointer(location, 4, GL_UNSIGNED_BYTE, GL_TRUE, 0, nullptr);
-    glVertexAttribDivisor(location, divisor);
+// Else one value is read for all.
+void column_if(bool there, GLuint location, const GlStreamBuffer& buffer, GLint components, GLuint divisor,
+               GLenum type = GL_FLOAT) {
+    if (there)
+        column(location, buffer, components, divisor, type);
+    else
+        glDisableVertexAttribArray(location);
 }
 
 void take(FloatBuffer& to, const FloatBuffer& from, const DotBlock& block) {
@@ -159,14 +163,12 @@ Renderer::Renderer(DotsBy dots_by)
       tile_(shaders::tile_vert(), shaders::tile_frag()),
       dots_by_(dots_by),
       quick_cost_(dots_by == DotsBy::processor ? kRasterSlowness : 1) {
-    dot_array_.bind();
-    column(0, dot_x_, 1, 0);
-    column(1, dot_y_, 1, 0);
-    column(2, dot_critical_, 1, 0);
-    dot_quad_array_.bind();
-    column(0, dot_x_, 1, 1);
-    column(1, dot_y_, 1, 1);
-    column(2, dot_critical_, 1, 1);
+    for (const auto& [array, divisor] : {std::pair(&dot_array_, 0u), {&dot_quad_array_, 1u}}) {
+        array->bind();
+        column(0, dot_x_, 1, divisor);
+        column(1, dot_y_, 1, divisor);
+        column(2, dot_critical_, 1, divisor);
+    }
     line_array_.bind();
     column(0, line_ends_, 4, 1);
     tile_array_.bind();
@@ -543,15 +545,8 @@ void Renderer::prepare_dots(const Job& job) {
 void Renderer::attach_columns(const Shown& shown) {
     for (const auto& [array, divisor] : {std::pair(&dot_array_, 0u), {&dot_quad_array_, 1u}}) {
         array->bind();
-        if (shown.has_radii)
-            column(kDotRadius, dot_radius_, 1, divisor);
-        else
-            glDisableVertexAttribArray(kDotRadius);
-        if (!has_colours() && !by_pen()) {
-            glDisableVertexAttribArray(kDotColour);
-            continue;
-        }
-        colour_column(kDotColour, dot_colour_, divisor);
+        column_if(shown.has_radii, kDotRadius, dot_radius_, 1, divisor);
+        column_if(has_colours() || by_pen(), kDotColour, dot_colour_, 4, divisor, GL_UNSIGNED_BYTE);
     }
 }
 
@@ -686,18 +681,11 @@ void Renderer::begin_ink(const Job& job, const GlProgram& program, double guard)
 void Renderer::draw_handed_over(const Job& job, double width, double grow) {
     line_ends_.write(std::as_bytes(std::span(lines_handed_over_)));
     line_array_.bind();
-    if (by_pen()) {
-        dot_colour_.write(std::as_bytes(std::span(colours_handed_over_)));
-        colour_column(kLineColour, dot_colour_, 1);
-    } else {
-        glDisableVertexAttribArray(kLineColour);
-    }
-    if (!line_widths_handed_over_.empty()) {
-        line_widths_.write(std::as_bytes(std::span(line_widths_handed_over_)));
-        column(kLineWidth, line_widths_, 1, 1);
-    } else {
-        glDisableVertexAttribArray(kLineWidth);
-    }
+    if (by_pen()) dot_colour_.write(std::as_bytes(std::span(colours_handed_over_)));
+    column_if(by_pen(), kLineColour, dot_colour_, 4, 1, GL_UNSIGNED_BYTE);
+    const bool own_widths = !line_widths_handed_over_.empty();
+    if (own_widths) line_widths_.write(std::as_bytes(std::span(line_widths_handed_over_)));
+    column_if(own_widths, kLineWidth, line_widths_, 1, 1);
     begin_ink(job, line_, 0);
     glUniform1f(line_.uniform("grow"), static_cast<float>(grow));
     // What the shader reads where no column is attached.

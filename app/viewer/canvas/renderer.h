@@ -22,7 +22,6 @@
 
 #include "app/viewer/background/dot_blocks.h"
 #include "app/viewer/background/preview_dots.h"
-#include "app/viewer/background/shown_strokes.h"
 #include "app/viewer/canvas/gl_objects.h"
 #include "app/viewer/canvas/processor_dots.h"
 #include "app/viewer/view/camera.h"

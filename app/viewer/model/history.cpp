@@ -8,8 +8,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "core/settings/fields.h"
 #include "core/settings/setting.h"
-#include "core/settings/settings_text.h"
 
 namespace dapple {
 

@@ -48,10 +48,6 @@ void LightSession::open(const fs::path& map) {
     read_next();
 }
 
-void LightSession::open_sky() {
-    open({});
-}
-
 void LightSession::read_next() {
     if (!to_read_ || reading_.busy()) return;
     reading_path_ = *to_read_;

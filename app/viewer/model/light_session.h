@@ -36,9 +36,8 @@ class LightSession {
     LightSession(const LightsSettings& first, std::function<void()> wake);
 
     /// Reads a map in the background; the one shown stays until then, or if it fails. If several are opened,
-    /// the last one counts, and reading those before it is given up.
+    /// the last one counts, and reading those before it is given up. Without a name it is a sky of our own.
     void open(const std::filesystem::path& map);
-    void open_sky();
 
     /// As in Session.
     void open_tile(const std::filesystem::path& file);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/lights/light_picture.h"
+#include "core/lights/lit_objects.h"
 #include "core/lights/settling.h"
 #include "io/files/tile_library.h"
 

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "app/viewer/model/drawn_info.h"
+#include "app/viewer/model/viewer_settings.h"
 #include "core/drawing/settings.h"
 
 namespace dapple {

@@ -1,16 +1,35 @@
 #pragma once
 // All that the panels edit: the drawing's settings and how the window shows them. One value, read each frame.
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
 #include "app/viewer/background/dots_request.h"
 #include "core/drawing/settings.h"
 #include "core/settings/fields.h"
-#include "core/text/length.h"
 #include "core/text/names.h"
+#include "core/text/number_words.h"
 
 namespace dapple {
+
+// What the panels need to know of the drawing that is shown.
+
+/// What the drawing on screen came to: where sliders start from when the person switches between scale and
+/// count, or from the automatic radius to a fixed one.
+struct DrawnInfo {
+    std::uint64_t dots = 0;
+    double scale = 0;
+    double dot_radius_mm = 0;
+    std::uint64_t most_dots = kMostDots;  // that the window takes on
+    Tone tone{};                          // with the values that were chosen automatically
+    int steps = 0;                        // of relaxation
+    int usual_steps = 0;                  // of so many dots
+    PageSize page{200, 150, 200};
+};
+
+/// Where dots that are sized otherwise start from: as large as they were drawn, about.
+DotSize dot_size_from(DotSizing sizing, double drawn_radius_mm);
 
 // The split view: to the right of a divider the same density with another tile, another placer or both.
 
@@ -78,5 +97,11 @@ DotsRequest dots_request(const ViewerSettings& settings);
 
 /// "drawing", "saving" and, for the window alone, "view".
 void describe(Fields& fields, ViewerSettings& settings);
+
+/// Whose dialog asks for a file to open; where the desktop has none, our own.
+enum class DialogChoice { own, desktop };
+constexpr auto names_of(DialogChoice) {
+    return names("own", "desktop");
+}
 
 }  // namespace dapple

@@ -21,7 +21,7 @@ struct Libraries {
 
 }  // namespace
 
-bool draw_preferences(Appearance& appearance, bool& desktop_dialog, LengthUnit* unit) {
+bool draw_preferences(Appearance& appearance, DialogChoice& dialog, LengthUnit* unit) {
     bool changed = segmented_row("Theme", appearance.theme, std::array{"light", "dark", "high contrast"},
                                  "Colours of the window; the drawing and its files stay the same.");
     int size = appearance.text_size < 0.95f  ? 0
@@ -33,25 +33,22 @@ bool draw_preferences(Appearance& appearance, bool& desktop_dialog, LengthUnit* 
         appearance.text_size = std::array{0.85f, 1.0f, 1.25f, 1.6f}[static_cast<std::size_t>(size)];
         changed = true;
     }
-    int whose = desktop_dialog ? 1 : 0;
-    if (segmented_row("Open with", whose, std::array{"Dapple's dialog", "system"},
+    changed |=
+        segmented_row("Open with", dialog, std::array{"Dapple's dialog", "system"},
                       "Dialog for opening files. The system's needs zenity or kdialog. Exports always use "
                       "Dapple's dialog, for its options.",
-                      1)) {
-        desktop_dialog = whose == 1;
-        changed = true;
-    }
+                      DialogChoice::desktop);
     if (unit)
         segmented_row("Lengths in", *unit, std::array{"mm", "inch"},
                       "Unit of lengths shown, and of numbers typed without one; 8in and 21cm work in both.");
     return changed;
 }
 
-bool draw_preferences_panel(bool& open, Appearance& appearance, bool& desktop_dialog, LengthUnit* unit) {
-    const Dialog dialog("Preferences", open);
-    if (!dialog) return false;
+bool draw_preferences_panel(bool& open, Appearance& appearance, DialogChoice& dialog, LengthUnit* unit) {
+    const Dialog shown("Preferences", open);
+    if (!shown) return false;
     ImGui::Dummy({kWidth * ImGui::GetTextLineHeight(), 0});
-    return draw_preferences(appearance, desktop_dialog, unit);
+    return draw_preferences(appearance, dialog, unit);
 }
 
 void draw_about_panel(bool& open) {

@@ -1,4 +1,4 @@
-#include "app/viewer/panels/export_panel.h"
+#include "app/viewer/panels/window_panels.h"
 
 #include <fmt/format.h>
 

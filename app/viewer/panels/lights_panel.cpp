@@ -1,4 +1,4 @@
-#include "app/viewer/panels/lights_panel.h"
+#include "app/viewer/panels/window_panels.h"
 
 #include <fmt/format.h>
 #include <imgui.h>

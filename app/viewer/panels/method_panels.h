@@ -10,7 +10,7 @@
 #include <span>
 #include <string>
 
-#include "app/viewer/background/tile_view.h"
+#include "app/viewer/background/workbench.h"
 #include "app/viewer/model/viewer_settings.h"
 #include "app/viewer/panels/shortcuts.h"
 #include "app/viewer/view/view_analysis.h"
@@ -66,14 +66,9 @@ bool draw_spectrum_panel(const SpectrumInfo& info);
 
 // The section "The tile": the points of the tile in use and the order in which they appear.
 
-/// How many of the tile's points are shown.
-struct TilePanelState {
-    std::size_t shown = SIZE_MAX;  // at most the tile's
-};
-
 /// The tile itself: its points in the order of their ranks, how it is turned in its quadrants, and a slider
 /// that takes points away from the last on.
-void draw_tile_panel(const TileView& tile, TilePanelState& state);
+void draw_tile_panel(const TileView& tile, std::size_t& most_shown);
 
 /// The strokes of the letter F, which looks different in all eight orientations: from and to, about the
 /// centre, within -1..1, y down.

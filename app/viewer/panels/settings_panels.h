@@ -11,9 +11,9 @@
 
 #include "app/viewer/model/banner.h"
 #include "app/viewer/model/crop_percent.h"
-#include "app/viewer/model/drawn_info.h"
 #include "app/viewer/model/mask_brush.h"
 #include "app/viewer/model/pane.h"
+#include "app/viewer/model/viewer_settings.h"
 #include "app/viewer/panels/window_panels.h"
 #include "app/viewer/widgets/picture_entry.h"
 #include "core/drawing/page_setup.h"
@@ -22,7 +22,7 @@
 #include "core/image/tone.h"
 #include "core/output/sheet.h"
 #include "core/pens/pen.h"
-#include "core/text/length.h"
+#include "core/text/number_words.h"
 #include "io/settings/palettes.h"
 #include "io/settings/presets.h"
 

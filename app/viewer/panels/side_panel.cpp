@@ -86,7 +86,7 @@ void SidePanel::draw_rows(Session& session) {
     draw_method_rows(session.settings, {session.tiles()});
     draw_compare_panel(session.settings, {session.tiles()});
     static_cast<void>(draw_spectrum_panel({}));
-    TilePanelState shown;
+    std::size_t shown = SIZE_MAX;
     draw_tile_panel(session.pane().tile(), shown);
 }
 
@@ -152,9 +152,9 @@ OpenSections SidePanel::draw(Session& session, const SpectrumInfo& spectrum,
             draw_method(session, act);
             open.spectrum = draw_spectrum_panel(spectrum);
             const Pane& pane = session.pane();
-            if (tiles_seen_ != pane.tiles()) tile_ = {};
+            if (tiles_seen_ != pane.tiles()) points_shown_ = SIZE_MAX;
             tiles_seen_ = pane.tiles();
-            draw_tile_panel(pane.tile(), tile_);
+            draw_tile_panel(pane.tile(), points_shown_);
             break;
     }
     end_side_panel();

@@ -55,7 +55,7 @@ class SidePanel {
     std::string revealed_;  // the row that was turned to last
     PresetRow presets_;
     PaletteRow palettes_;
-    TilePanelState tile_;
+    std::size_t points_shown_ = SIZE_MAX;  // of the tile, at most
     int tiles_seen_ = 0;
 };
 

@@ -133,7 +133,7 @@ std::array<Stroke, 3> letter_f(Orientation orientation) {
     return strokes;
 }
 
-void draw_tile_panel(const TileView& tile, TilePanelState& state) {
+void draw_tile_panel(const TileView& tile, std::size_t& most_shown) {
     if (tile.points.empty() || !subsection("The tile")) return;
     const std::size_t count = tile.points.size();
     const float unit = ImGui::GetTextLineHeight() / 15;
@@ -145,9 +145,9 @@ void draw_tile_panel(const TileView& tile, TilePanelState& state) {
     ImGui::Dummy({side, side});
     note_place("Tile picture");
     draw_quadrants(square, tile, unit);
-    draw_points(square, tile, std::min(state.shown, count), unit);
+    std::size_t shown = std::min(most_shown, count);
+    draw_points(square, tile, shown, unit);
 
-    std::size_t shown = std::min(state.shown, count);
     const auto all = static_cast<double>(count);
     if (slider_row("Points shown", shown,
                    {.min = 1,
@@ -155,8 +155,8 @@ void draw_tile_panel(const TileView& tile, TilePanelState& state) {
                     .neutral = all,
                     .format = "%.0f",
                     .grouped = true,
-                    .tip = "Hides the tile's points, those of the last ranks first."}))
-        state.shown = shown >= count ? SIZE_MAX : shown;
+                     .tip = "Hides the tile's points, those of the last ranks first."}))
+        most_shown = shown >= count ? SIZE_MAX : shown;
     if (tile.next_kind.size() > 1) {
         hint(fmt::format("{}: kind 0 of {}, {} points each, dark ones first. Below: each kind as tile "
                          "boundaries show it, and the half-size kinds on its quarters.",

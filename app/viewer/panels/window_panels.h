@@ -13,15 +13,19 @@
 
 #include "app/viewer/model/banner.h"
 #include "app/viewer/model/compared_panes.h"
-#include "app/viewer/model/played_film.h"
+#include "app/viewer/model/export_estimate.h"
+#include "app/viewer/model/lit_map.h"
+#include "app/viewer/model/session.h"
 #include "app/viewer/model/variations.h"
+#include "app/viewer/panels/method_panels.h"
 #include "app/viewer/panels/shortcuts.h"
 #include "app/viewer/view/loupe_square.h"
 #include "app/viewer/widgets/picture_entry.h"
 #include "app/viewer/widgets/theme.h"
 #include "app/viewer/widgets/widgets.h"
 #include "core/placing/page.h"
-#include "core/text/length.h"
+#include "core/text/number_words.h"
+#include "io/files/save_lights.h"
 
 namespace dapple {
 
@@ -199,11 +203,30 @@ void draw_help_panel(bool& open, std::span<const Shortcut> shortcuts);
 /// Theme and size of the text, whether the desktop's own dialog asks for files to open, and the unit that the
 /// document shows lengths in; none: it shows none. True when something was changed but that unit, which is
 /// the document's.
-bool draw_preferences(Appearance& appearance, bool& desktop_dialog, LengthUnit* unit);
+bool draw_preferences(Appearance& appearance, DialogChoice& dialog, LengthUnit* unit);
 /// The same in a dialog.
-bool draw_preferences_panel(bool& open, Appearance& appearance, bool& desktop_dialog, LengthUnit* unit);
+bool draw_preferences_panel(bool& open, Appearance& appearance, DialogChoice& dialog, LengthUnit* unit);
 
 /// Version, licence, and the libraries it stands on with theirs.
 void draw_about_panel(bool& open);
+
+// What the file dialog asks beside a name when a drawing is saved.
+
+/// What goes with a format: the order of the dots, paper, resolution; and how large the file will be. True
+/// while something changes.
+bool draw_export_panel(ViewerSettings& settings, DrawingFormat format, const ExportInfo& info);
+
+/// "about 24 MB, 400,000 dots".
+std::string size_in_words(const ExportInfo& info);
+
+// The column beside an environment map: its samples, its view, how good they are.
+
+/// Sections "Samples" and "View", and the figures. True while something changes. `tiles` can be chosen from.
+/// Without them the samples are still being taken, and it says so in their place.
+bool draw_lights_panel(LightsSettings& settings, const std::optional<LightsInfo>& info,
+                       const TileList& tiles);
+
+/// What goes with a kind of file: the axes of its directions. True when another is chosen.
+bool draw_light_export_panel(LightsSettings& settings, LightFile format);
 
 }  // namespace dapple

@@ -7,15 +7,14 @@
 #include <utility>
 #include <vector>
 
-#include "app/viewer/background/mipmaps.h"
 #include "app/viewer/background/small_pictures.h"
 #include "app/viewer/canvas/page_frame.h"
 #include "app/viewer/canvas/pane_view.h"
 #include "app/viewer/desktop/pasted_picture.h"
-#include "app/viewer/panels/export_panel.h"
 #include "app/viewer/panels/settings_panels.h"
+#include "app/viewer/panels/window_panels.h"
+#include "app/viewer/shell/document.h"
 #include "app/viewer/shell/lights_document.h"
-#include "app/viewer/shell/status_log.h"
 #include "app/viewer/shell/window.h"
 #include "app/viewer/widgets/keys.h"
 #include "app/viewer/widgets/widgets.h"
@@ -30,6 +29,24 @@
 #include "io/settings/xdg_folders.h"
 
 namespace dapple {
+
+EntryPicture EntryPictures::of(const std::string& key, const SmallPictures::Make& make) {
+    const SmallPicture* const picture = pictures_.of(key, make);
+    if (!picture) return {.awaited = true};
+    if (picture->empty()) return {};
+    auto texture = textures_.find(key);
+    if (texture == textures_.end()) {
+        texture = textures_.emplace(key, GlTexture()).first;
+        texture->second.write(*picture);
+    }
+    return {texture_id(texture->second.get()),
+            {static_cast<float>(picture->width), static_cast<float>(picture->height)}};
+}
+
+void EntryPictures::forget() {
+    pictures_.forget();
+    textures_.clear();
+}
 
 namespace {
 

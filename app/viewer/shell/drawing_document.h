@@ -3,14 +3,18 @@
 
 #include <array>
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "app/viewer/background/background.h"
+#include "app/viewer/background/small_pictures.h"
 #include "app/viewer/canvas/canvas.h"
 #include "app/viewer/canvas/crop_frame.h"
-#include "app/viewer/canvas/entry_pictures.h"
+#include "app/viewer/canvas/gl_objects.h"
 #include "app/viewer/canvas/loupe.h"
 #include "app/viewer/canvas/mask_painter.h"
 #include "app/viewer/model/compared_panes.h"
@@ -20,8 +24,27 @@
 #include "app/viewer/panels/window_panels.h"
 #include "app/viewer/shell/document.h"
 #include "app/viewer/shell/film_player.h"
+#include "app/viewer/widgets/picture_entry.h"
 
 namespace dapple {
+
+// The small pictures of a list's entries, as textures.
+
+class EntryPictures {
+ public:
+    explicit EntryPictures(std::function<void()> wake) : pictures_(std::move(wake)) {}
+
+    /// As SmallPictures::of(); bare while there is none.
+    EntryPicture of(const std::string& key, const SmallPictures::Make& make);
+
+    std::size_t size() const { return textures_.size(); }
+    /// Gives up what is being made, and all memory. Only before the frame shows any of them.
+    void forget();
+
+ private:
+    SmallPictures pictures_;
+    std::map<std::string, GlTexture> textures_;
+};
 
 /// How many dots the window takes on: as many as half of so many bytes of memory hold, both sides of a split
 /// view and saving included; at least a million, at most kMostDots.

@@ -7,7 +7,6 @@
 #include <string>
 #include <utility>
 
-#include "app/viewer/panels/lights_panel.h"
 #include "app/viewer/panels/side_panel.h"
 #include "app/viewer/panels/window_panels.h"
 #include "app/viewer/shell/window.h"
@@ -31,10 +30,7 @@ constexpr double kLargestPixel = 32, kLeastLargest = 4;
 
 LightsDocument::LightsDocument(const std::optional<fs::path>& map, const LightsSettings& settings)
     : session_(settings, &Window::wake) {
-    if (map)
-        session_.open(*map);
-    else
-        session_.open_sky();
+    session_.open(map.value_or(fs::path()));
 }
 
 std::span<const Shortcut> LightsDocument::shortcuts() const {

@@ -11,10 +11,10 @@
 
 #include "core/settings/drawing_fields.h"
 #include "core/settings/fields.h"
-#include "core/settings/settings_text.h"
 #include "core/text/shown_text.h"
 #include "io/files/atomic_file.h"
 #include "io/settings/project.h"
+#include "io/settings/xdg_folders.h"
 
 namespace dapple {
 
@@ -102,23 +102,6 @@ void read_or_move_aside(const fs::path& file, Settings& settings, std::optional<
     }
 }
 
-/// A file that another window broke meanwhile is written anew.
-template <class Settings>
-std::string text_there_now(const fs::path& file, Settings& settings) {
-    try {
-        return read_remembered(file, settings);
-    } catch (const std::exception&) {
-        return {};
-    }
-}
-
-template <class Settings>
-void write_remembered(const fs::path& file, const std::string& kept, Settings settings) {
-    make_folder(file.parent_path());
-    const std::string text = settings_text(kept, {file}, [&](Fields& fields) { describe(fields, settings); });
-    if (text != kept) save_atomically(file, [&](std::ostream& out) { out << text; });
-}
-
 /// Takes over what this window changed.
 template <class Value>
 void take_changed(Value& there, const Value& ours, const Value& known) {
@@ -142,6 +125,25 @@ class MemoryLock {
     Descriptor file_;  // its lock goes with it
 };
 
+/// Has what this window changed taken over into what is there now, and written. A file that another window
+/// broke meanwhile is written anew. False: nothing was changed.
+template <class Settings, class Take>
+bool save_changed(const fs::path& file, const Settings& ours, Settings& known, const Take& take) {
+    if (file.empty() || ours == known) return false;
+    const MemoryLock lock(file.parent_path());
+    Settings there;
+    std::string kept;
+    try {
+        kept = read_remembered(file, there);
+    } catch (const std::exception&) {
+    }
+    take(there);
+    const std::string text = settings_text(kept, {file}, [&](Fields& fields) { describe(fields, there); });
+    if (text != kept) save_atomically(file, [&](std::ostream& out) { out << text; });
+    known = ours;
+    return true;
+}
+
 }  // namespace
 
 std::vector<fs::path> with_recent(const fs::path& file, std::vector<fs::path> recent) {
@@ -152,8 +154,8 @@ std::vector<fs::path> with_recent(const fs::path& file, std::vector<fs::path> re
 }
 
 Memory::Memory(const fs::path& config_folder, const fs::path& state_folder)
-    : preferences_file_(config_folder.empty() ? fs::path() : config_folder / "preferences.json"),
-      state_file_(state_folder.empty() ? fs::path() : state_folder / "state.json") {
+    : preferences_file_(within_folder(config_folder, "preferences.json")),
+      state_file_(within_folder(state_folder, "state.json")) {
     read_or_move_aside(preferences_file_, preferences, trouble_);
     read_or_move_aside(state_file_, state, trouble_);
     known_preferences_ = preferences;
@@ -180,19 +182,12 @@ void Memory::forget(const fs::path& file) {
 }
 
 void Memory::save() {
-    if (!preferences_file_.empty() && preferences != known_preferences_) {
-        const MemoryLock lock(preferences_file_.parent_path());
-        Preferences there;
-        const std::string kept = text_there_now(preferences_file_, there);
+    save_changed(preferences_file_, preferences, known_preferences_, [&](Preferences& there) {
         take_changed(there.appearance, preferences.appearance, known_preferences_.appearance);
         take_changed(there.dialog, preferences.dialog, known_preferences_.dialog);
-        write_remembered(preferences_file_, kept, there);
-        known_preferences_ = preferences;
-    }
-    if (!state_file_.empty() && state != known_state_) {
-        const MemoryLock lock(state_file_.parent_path());
-        WindowState there;
-        const std::string kept = text_there_now(state_file_, there);
+    });
+    std::vector<fs::path> recent;
+    const bool saved = save_changed(state_file_, state, known_state_, [&](WindowState& there) {
         take_changed(there.window, state.window, known_state_.window);
         take_changed(there.panels_shown, state.panels_shown, known_state_.panels_shown);
         take_changed(there.panel_width, state.panel_width, known_state_.panel_width);
@@ -200,12 +195,12 @@ void Memory::save() {
         take_changed(there.view, state.view, known_state_.view);
         for (const fs::path& file : forgotten_) std::erase(there.recent, file);
         for (const fs::path& file : opened_) there.recent = with_recent(file, std::move(there.recent));
-        write_remembered(state_file_, kept, there);
-        opened_.clear();
-        forgotten_.clear();
-        state.recent = there.recent;
-        known_state_ = state;
-    }
+        recent = there.recent;
+    });
+    if (!saved) return;
+    opened_.clear();
+    forgotten_.clear();
+    known_state_.recent = state.recent = std::move(recent);
 }
 
 std::optional<std::string> Memory::take_trouble() {

@@ -4,7 +4,7 @@
 //     $XDG_CONFIG_HOME/dapple/preferences.json   what was chosen: theme, text size
 //     $XDG_STATE_HOME/dapple/state.json          what just was so: the window's place, recent files
 //
-// Both are settings as settings_text.h has them.
+// Both are settings as fields.h has them.
 
 #include <filesystem>
 #include <optional>
@@ -41,12 +41,6 @@ class StartMark {
     Descriptor held_;
     bool was_left_ = false;
 };
-
-/// Whose dialog asks for a file to open; where the desktop has none, our own.
-enum class DialogChoice { own, desktop };
-constexpr auto names_of(DialogChoice) {
-    return names("own", "desktop");
-}
 
 struct Preferences {
     Appearance appearance = {};

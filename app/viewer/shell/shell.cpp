@@ -381,9 +381,8 @@ void Shell::list_rows(Document& document, std::vector<ListedRow>& rows, const Li
         const RowListing listing(rows, taken, value);
         document.draw_rows();
         section(kPreferenceRows);
-        bool desktop = memory_.preferences.dialog == DialogChoice::desktop;
-        if (draw_preferences(memory_.preferences.appearance, desktop, unit_of(document)))
-            take_preferences(desktop);
+        auto& [appearance, dialog] = memory_.preferences;
+        if (draw_preferences(appearance, dialog, unit_of(document))) take_preferences();
         if (const auto question = document.where_to_save(); question && question->has_options)
             list_export_rows(*question, document, rows);
     }
@@ -418,8 +417,7 @@ void Shell::take_row(const ListedRow& row, int value, Document& document) {
     }
 }
 
-void Shell::take_preferences(bool desktop) {
-    memory_.preferences.dialog = desktop ? DialogChoice::desktop : DialogChoice::own;
+void Shell::take_preferences() {
     window_.set_appearance(memory_.preferences.appearance);
     save_memory();
 }
@@ -435,10 +433,8 @@ void Shell::draw_dialogs(Document& document, const std::function<void(Action)>& 
         {rows, [&](const ListedRow& row, int value) { take_row(row, value, document); }});
     draw_help_panel(help_shown_, document.shortcuts());
     draw_about_panel(about_shown_);
-    bool desktop = memory_.preferences.dialog == DialogChoice::desktop;
-    if (draw_preferences_panel(preferences_shown_, memory_.preferences.appearance, desktop,
-                               unit_of(document)))
-        take_preferences(desktop);
+    auto& [appearance, dialog] = memory_.preferences;
+    if (draw_preferences_panel(preferences_shown_, appearance, dialog, unit_of(document))) take_preferences();
     draw_file_question(document);
     const auto chosen =
         asking_.draw([&](std::size_t format) { return document.draw_saving_options(format); });

@@ -13,7 +13,6 @@
 #include "app/viewer/shell/document.h"
 #include "app/viewer/shell/kept_drawings.h"
 #include "app/viewer/shell/memory.h"
-#include "app/viewer/shell/status_log.h"
 #include "app/viewer/shell/window.h"
 #include "app/viewer/widgets/widgets.h"
 
@@ -91,7 +90,7 @@ class Shell {
     void list_rows(Document& document, std::vector<ListedRow>& rows, const ListedRow* taken = nullptr,
                    int value = -1);
     void take_row(const ListedRow& row, int value, Document& document);
-    void take_preferences(bool desktop);
+    void take_preferences();
     /// What is to be there on the next day, and what went wrong with it.
     void remember(Document& document);
     void save_memory();

@@ -72,8 +72,7 @@ class Window {
     /// Without a place, or with one that is on no screen any more, it is the usual one.
     explicit Window(const std::string& title, const WindowPlace& place = {});
     ~Window();
-    Window(const Window&) = delete;
-    Window& operator=(const Window&) = delete;
+    Window& operator=(Window&&) = delete;
 
     /// It was asked to, and what was typed and clicked before that has been seen.
     bool should_close() const;

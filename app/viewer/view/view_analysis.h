@@ -15,7 +15,7 @@
 #include "core/analysis/autocorrelation.h"
 #include "core/analysis/distances.h"
 #include "core/analysis/domain.h"
-#include "core/analysis/spectrum.h"
+#include "core/analysis/periodogram.h"
 #include "core/image/grid.h"
 #include "core/image/rectangle.h"
 #include "core/placing/dots.h"

@@ -63,8 +63,7 @@ class Dialog {
  public:
     Dialog(const char* title, bool& open, DialogPlace place = DialogPlace::middle);
     ~Dialog();
-    Dialog(const Dialog&) = delete;
-    Dialog& operator=(const Dialog&) = delete;
+    Dialog& operator=(Dialog&&) = delete;
 
     explicit operator bool() const { return drawn_; }
 

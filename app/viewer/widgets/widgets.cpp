@@ -81,6 +81,20 @@ std::optional<double> typed_value(std::string_view text, TypedKind kind, LengthU
 
 namespace {
 
+// What a switch's row is listed as, as as_listed() has it.
+std::optional<bool> listed_switch(const char* label, bool& value) {
+    int on = value ? 1 : 0;
+    const std::optional<bool> listed = as_listed(label, std::array{"off", "on"}, on);
+    value = on == 1;
+    return listed;
+}
+
+bool switched(bool value, const RowKeys& keys, bool usual) {
+    if (keys.reset) return usual;
+    if (keys.step != 0) return keys.step > 0;
+    return value != keys.press;
+}
+
 enum class FoldKind { section, within };
 
 bool fold(const char* title, bool open_at_first, FoldKind kind) {
@@ -217,11 +231,7 @@ bool switch_row(const Setting& setting, bool& value) {
 }
 
 bool switch_row(const char* label, bool& value, const char* tip, bool usual) {
-    int on = value ? 1 : 0;
-    if (const auto listed = as_listed(label, std::array{"off", "on"}, on)) {
-        value = on == 1;
-        return *listed;
-    }
+    if (const auto listed = listed_switch(label, value)) return *listed;
     Row row;
     const bool before = value;
     float height = std::floor(ImGui::GetTextLineHeight() * 1.1f), width = std::floor(height * 1.8f);
@@ -229,10 +239,7 @@ bool switch_row(const char* label, bool& value, const char* tip, bool usual) {
     ImGui::SetCursorScreenPos({row.start.x + row.width - width, row.start.y});
     if (press_area("switch", {width, row.height})) value = !value;
     note_place(label);
-    const RowKeys keys = keys_of(label, row);
-    if (keys.press) value = !value;
-    if (keys.step != 0) value = keys.step > 0;
-    if (keys.reset) value = usual;
+    value = switched(value, keys_of(label, row), usual);
     ImVec2 min = ImGui::GetItemRectMin();
     float top = std::floor(min.y + (row.height - height) / 2), radius = height / 2;
     ImDrawList* list = ImGui::GetWindowDrawList();
@@ -263,11 +270,7 @@ void draw_eye(ImVec2 middle, float half, bool open, ImU32 colour) {
 
 bool eye_row(const char* label, const std::string& name, const glm::vec3& swatch, const std::string& words,
              bool& seen, const char* tip) {
-    int on = seen ? 1 : 0;
-    if (const auto listed = as_listed(label, std::array{"off", "on"}, on)) {
-        seen = on == 1;
-        return *listed;
-    }
+    if (const auto listed = listed_switch(label, seen)) return *listed;
     const ImVec2 start = ImGui::GetCursorScreenPos();
     const float line = ImGui::GetTextLineHeight(), unit = line / 15;
     const Row row{start, ImGui::GetContentRegionAvail().x, ImGui::GetFrameHeight(), start.x};
@@ -276,10 +279,7 @@ bool eye_row(const char* label, const std::string& name, const glm::vec3& swatch
     if (press_area("eye", {row.width, row.height})) seen = !seen;
     note_place(label);
     const bool hot = ImGui::IsItemHovered();
-    const RowKeys keys = keys_of(label, row);
-    if (keys.press) seen = !seen;
-    if (keys.step != 0) seen = keys.step > 0;
-    if (keys.reset) seen = true;
+    seen = switched(seen, keys_of(label, row), true);
     ImDrawList* const list = ImGui::GetWindowDrawList();
     const float y = start.y + (row.height - line) / 2, eye = 7 * unit, right = start.x + row.width - 2 * eye;
     const ImVec2 low{start.x, y}, high{start.x + line, y + line};

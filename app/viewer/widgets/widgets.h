@@ -22,7 +22,7 @@
 #include <vector>
 
 #include "core/settings/setting.h"
-#include "core/text/length.h"
+#include "core/text/number_words.h"
 
 namespace dapple {
 
@@ -82,8 +82,7 @@ class RowListing {
  public:
     RowListing(std::vector<ListedRow>& rows, const ListedRow* taken = nullptr, int value = -1);
     ~RowListing();
-    RowListing(const RowListing&) = delete;
-    RowListing& operator=(const RowListing&) = delete;
+    RowListing& operator=(RowListing&&) = delete;
 
  private:
     WidgetNotes notes_{};
@@ -123,8 +122,7 @@ class Absent {
     /// Without a reason the rows are there as usual.
     explicit Absent(const char* reason);
     ~Absent();
-    Absent(const Absent&) = delete;
-    Absent& operator=(const Absent&) = delete;
+    Absent& operator=(Absent&&) = delete;
 
  private:
     WidgetNotes* notes_;
@@ -138,8 +136,7 @@ class Greyed {
     /// Without a reason the rows can be used as usual.
     explicit Greyed(const char* reason);
     ~Greyed();
-    Greyed(const Greyed&) = delete;
-    Greyed& operator=(const Greyed&) = delete;
+    Greyed& operator=(Greyed&&) = delete;
 
  private:
     const char *reason_, *before_ = nullptr;

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "core/screening/void_and_cluster.h"
+#include "core/screening/threshold_mask.h"
 #include "tests/render_scene.h"
 
 namespace dapple {

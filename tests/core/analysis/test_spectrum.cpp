@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/analysis/distances.h"
-#include "core/analysis/spectrum.h"
+#include "core/analysis/periodogram.h"
 #include "core/tile/tile.h"
 #include "tests/point_sets.h"
 

@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include "core/analysis/spectrum.h"
+#include "core/analysis/periodogram.h"
 #include "tests/point_sets.h"
 
 using namespace dapple;

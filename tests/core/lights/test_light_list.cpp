@@ -27,9 +27,11 @@ LightSamples two_lights() {
 }
 
 template <class Write>
-std::string written(Write write, const LightListStyle& style) {
+std::string written(Write write, const LightListStyle& style, const LightSamples& lights = two_lights()) {
     std::ostringstream out;
-    write(out, two_lights(), style);
+    TextBuffer text(out);
+    write(text, lights, style);
+    text.flush();
     return out.str();
 }
 
@@ -128,10 +130,9 @@ TEST_CASE("Mitsuba's directional emitters name the way the light travels, and th
 }
 
 TEST_CASE("glTF's directional lights shine from the sample's direction, colour times intensity strong") {
-    std::ostringstream out;
     const LightSamples lights = all_round();
-    write_light_gltf(out, lights, {.rotation_degrees = 30, .source = "a\"b.hdr"});
-    const auto json = nlohmann::json::parse(out.str());
+    const auto json = nlohmann::json::parse(
+        written(write_light_gltf, {.rotation_degrees = 30, .source = "a\"b.hdr"}, lights));
     CHECK(json["asset"]["version"] == "2.0");
     CHECK(json["extensionsUsed"][0] == "KHR_lights_punctual");
     const auto& nodes = json["nodes"];
@@ -157,9 +158,9 @@ TEST_CASE("glTF's directional lights shine from the sample's direction, colour t
 TEST_CASE(
     "USD's distant lights and Blender's suns shine from the sample's direction, as wide as its region") {
     const LightSamples lights = all_round();
-    std::ostringstream usd, blender;
-    write_light_usd(usd, lights, {.convention = SphereConvention::usd});
-    write_light_blender(blender, lights, {.convention = SphereConvention::blender});
+    const std::string usd = written(write_light_usd, {.convention = SphereConvention::usd}, lights);
+    const std::string blender =
+        written(write_light_blender, {.convention = SphereConvention::blender}, lights);
     const auto numbers_after = [](const std::string& text, const std::string& what, std::size_t& at) {
         at = text.find(what, at);
         REQUIRE(at != text.npos);
@@ -173,18 +174,18 @@ TEST_CASE(
         }
         return found;
     };
-    CHECK(usd.str().starts_with("#usda 1.0\n"));
+    CHECK(usd.starts_with("#usda 1.0\n"));
     std::size_t in_usd = 0, in_blender = 0;
     const double radius = std::acos(1 - 1.0 / 8 / (2 * std::numbers::pi));
     for (const LightSample& sample : lights.samples) {
-        const auto angle = numbers_after(usd.str(), "float inputs:angle = ", in_usd);
+        const auto angle = numbers_after(usd, "float inputs:angle = ", in_usd);
         CHECK(angle[0] == doctest::Approx(2 * radius * 180 / std::numbers::pi));
-        const auto colour = numbers_after(usd.str(), "color3f inputs:color = (", in_usd);
+        const auto colour = numbers_after(usd, "color3f inputs:color = (", in_usd);
         CHECK(colour[2] == sample.weight.z);
-        const auto q = numbers_after(usd.str(), "quatf xformOp:orient = (", in_usd);
+        const auto q = numbers_after(usd, "quatf xformOp:orient = (", in_usd);
         CHECK(glm::distance(turned_z(q[0], q[1], q[2], q[3]),
                             direction_of(sample.uv, SphereConvention::usd)) < 1e-9);
-        const auto sun = numbers_after(blender.str(), "\n    ((", in_blender);
+        const auto sun = numbers_after(blender, "\n    ((", in_blender);
         REQUIRE(sun.size() == 9);
         CHECK(glm::distance(turned_z(sun[0], sun[1], sun[2], sun[3]),
                             direction_of(sample.uv, SphereConvention::blender)) < 1e-9);

@@ -9,7 +9,7 @@
 #include <limits>
 #include <numbers>
 
-#include "core/image/blur.h"
+#include "core/image/detail.h"
 #include "core/image/tone.h"
 #include "core/lines/ink_lines.h"
 

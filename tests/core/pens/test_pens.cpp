@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "core/analysis/distances.h"
-#include "core/analysis/spectrum.h"
+#include "core/analysis/periodogram.h"
 #include "core/drawing/pen_plan.h"
 #include "core/image/colour.h"
 #include "core/pens/pen_dots.h"

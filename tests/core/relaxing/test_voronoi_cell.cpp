@@ -11,7 +11,7 @@
 #include <random>
 #include <vector>
 
-#include "core/relaxing/voronoi_cell.h"
+#include "core/relaxing/lloyd_steps.h"
 
 using namespace dapple;
 

@@ -13,7 +13,7 @@
 #include <random>
 #include <vector>
 
-#include "core/image/blur.h"
+#include "core/image/detail.h"
 #include "core/placing/stipple.h"
 #include "core/relaxing/relax.h"
 #include "core/relaxing/warp.h"

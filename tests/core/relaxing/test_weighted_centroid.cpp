@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "core/relaxing/lloyd_steps.h"
-#include "core/relaxing/voronoi_cell.h"
 
 using namespace dapple;
 

@@ -12,7 +12,6 @@
 #include "core/analysis/distances.h"
 #include "core/drawing/settings.h"
 #include "core/screening/threshold_mask.h"
-#include "core/screening/void_and_cluster.h"
 #include "io/files/tile_library.h"
 
 namespace dapple {

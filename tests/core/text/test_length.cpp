@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "core/text/length.h"
+#include "core/text/number_words.h"
 
 using namespace dapple;
 

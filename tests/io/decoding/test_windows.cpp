@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "core/image/mask.h"
-#include "io/decoding/window_sink.h"
+#include "io/decoding/stored_pixels.h"
 #include "io/files/environment_file.h"
 #include "io/files/picture.h"
 #include "lab/volume/volume_file.h"

@@ -10,7 +10,7 @@
 #include "app/viewer/model/session.h"
 #include "app/viewer/panels/settings_panels.h"
 #include "core/settings/drawing_fields.h"
-#include "core/settings/settings_text.h"
+#include "core/settings/fields.h"
 #include "io/settings/presets.h"
 #include "tests/file_text.h"
 #include "tests/headless_ui.h"

@@ -9,7 +9,6 @@
 
 #include "core/analysis/distances.h"
 #include "core/analysis/periodogram.h"
-#include "core/analysis/spectrum.h"
 #include "lab/related/gaussian_blue_noise.h"
 #include "lab/related/white_noise.h"
 

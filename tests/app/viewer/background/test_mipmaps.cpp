@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include "app/viewer/background/mipmaps.h"
+#include "app/viewer/background/small_pictures.h"
 
 using namespace dapple;
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "app/viewer/background/dot_blocks.h"
-#include "app/viewer/background/mipmaps.h"
+#include "app/viewer/background/small_pictures.h"
 #include "app/viewer/canvas/renderer.h"
 #include "core/image/colour.h"
 #include "core/image/tone.h"

@@ -83,7 +83,7 @@ TEST_CASE("a map that does not come is given up for the next one, and when the w
 TEST_CASE("a map that cannot be read leaves the one that is shown, and says why") {
     const TemporaryFolder folder;
     LightSession session(LightsSettings{}, [] {});
-    session.open_sky();
+    session.open({});
     REQUIRE(brings(session, [&] { return session.samples().found.has_value(); }));
     session.open(folder / "none.hdr");
     REQUIRE(brings(session, [&] { return !session.banner.message.empty(); }));
@@ -101,7 +101,7 @@ TEST_CASE("the first map throws why it cannot be read, as there is nothing to go
 
 TEST_CASE("a tile that is not there is told once, and the samples stay") {
     LightSession session(LightsSettings{}, [] {});
-    session.open_sky();
+    session.open({});
     REQUIRE(brings(session, [&] { return session.samples().found.has_value(); }));
     const std::uint64_t samplings = session.samplings();
     session.settings.tile = "no such tile";
@@ -141,7 +141,7 @@ TEST_CASE("what takes long is told with how far it is, and a file that is given 
     const TemporaryFolder folder;
     write_even_map(folder / "large.hdr", 512);
     LightSession session(LightsSettings{}, [] {});
-    session.open_sky();
+    session.open({});
     REQUIRE(brings(session, [&] { return session.samples().found.has_value(); }));
     CHECK_FALSE(session.long_work());
     REQUIRE(::mkfifo((folder / "pipe.hdr").c_str(), 0600) == 0);

@@ -12,8 +12,6 @@
 #include <vector>
 
 #include "app/viewer/model/history.h"
-#include "app/viewer/panels/export_panel.h"
-#include "app/viewer/panels/lights_panel.h"
 #include "app/viewer/panels/method_panels.h"
 #include "app/viewer/panels/settings_panels.h"
 #include "app/viewer/panels/window_panels.h"
@@ -47,9 +45,10 @@ struct Everything {
     LightsSettings lights = {};
     MaskBrush brush = {};
     CropTool cropping = {};
-    bool dialog = true, desktop = false;
+    bool dialog = true;
+    DialogChoice whose_dialog = DialogChoice::own;
     Appearance appearance = {};
-    TilePanelState tile = {};
+    std::size_t points_shown = SIZE_MAX;
     ShownPens shown_pens = {};
     Palette drawn_pens = palette_of({.set = PenSet::cmyk});
     PresetRow presets{{}};
@@ -123,13 +122,13 @@ std::vector<PanelToTest> all_panels(Everything& one) {
              draw_film_buttons(kFilms, nothing);
              draw_method_rows(all, {kTiles});
              draw_compare_panel(all, {kTiles});
-             draw_tile_panel(view, one.tile);
+             draw_tile_panel(view, one.points_shown);
          }},
         {"lights", [&] { draw_lights_panel(one.lights, LightsInfo{}, {kTiles}); }},
         {"light export", [&] { draw_light_export_panel(one.lights, LightFile::json); }},
         {"preferences", [&] {
              one.dialog = true;
-             draw_preferences_panel(one.dialog, one.appearance, one.desktop, &one.all.unit);
+             draw_preferences_panel(one.dialog, one.appearance, one.whose_dialog, &one.all.unit);
          }}};
     for (const DrawingFormatName& format : kDrawingFormats)
         panels.push_back({std::string("export of ") + format.shown, [&all, format] {

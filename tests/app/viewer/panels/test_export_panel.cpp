@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "app/viewer/panels/export_panel.h"
+#include "app/viewer/panels/window_panels.h"
 #include "core/drawing/write_drawing.h"
 #include "tests/file_text.h"
 #include "tests/headless_ui.h"

@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include "app/viewer/panels/lights_panel.h"
+#include "app/viewer/panels/window_panels.h"
 #include "tests/headless_ui.h"
 
 using namespace dapple;

@@ -97,13 +97,13 @@ TEST_CASE("a mural's sheets share strips, and say how large they are or why they
 TEST_CASE("lengths are shown and typed in inches where that is chosen, and kept in millimetres") {
     ViewerSettings all;
     Appearance appearance;
-    bool desktop = false;
+    DialogChoice dialog = DialogChoice::own;
     DrawingSettings& settings = all.drawing;
     HeadlessUi ui([&] {
         draw_dots_panel(settings, {}, all.unit);
         draw_page_panel(settings.page, settings.sheets, {.page = {200, 150, 200}}, all.unit);
         draw_pen_panel(settings, all.unit);
-        draw_preferences(appearance, desktop, &all.unit);
+        draw_preferences(appearance, dialog, &all.unit);
     });
     ImGui::GetIO().DisplaySize.y = 2000;
     ui.frame();

@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "app/viewer/background/dot_blocks.h"
-#include "app/viewer/background/tile_view.h"
 #include "app/viewer/background/workbench.h"
 #include "app/viewer/canvas/loupe.h"
 #include "app/viewer/model/viewer_settings.h"

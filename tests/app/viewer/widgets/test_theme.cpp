@@ -75,8 +75,8 @@ TEST_CASE("in each theme text stands out from what is behind it by 4.5:1, and in
 TEST_CASE("the preferences change the theme and the size of the text") {
     bool open = true;
     Appearance appearance;
-    bool desktop = false;
-    HeadlessUi ui([&] { draw_preferences_panel(open, appearance, desktop, nullptr); });
+    DialogChoice dialog = DialogChoice::own;
+    HeadlessUi ui([&] { draw_preferences_panel(open, appearance, dialog, nullptr); });
     ui.click("dark");
     CHECK(appearance.theme == Theme::dark);
     ui.click("large");

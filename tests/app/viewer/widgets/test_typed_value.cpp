@@ -1,7 +1,7 @@
 #include <doctest/doctest.h>
 
 #include "app/viewer/widgets/widgets.h"
-#include "core/text/length.h"
+#include "core/text/number_words.h"
 
 using namespace dapple;
 

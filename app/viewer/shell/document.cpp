@@ -1,7 +1,6 @@
-#include "app/viewer/shell/status_log.h"
+#include "app/viewer/shell/document.h"
 
 #include <imgui.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
