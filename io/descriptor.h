@@ -49,13 +49,13 @@ inline std::optional<std::array<Descriptor, 2>> own_pipe() {
 }
 
 /// A program that was started, and what it writes; ended where it is left.
-struct ChildProcess {
+struct Child {
     pid_t id = -1;  // none: it does not run
     Descriptor output{};
 
-    ChildProcess() = default;
-    ChildProcess& operator=(ChildProcess&&) = delete;
-    ~ChildProcess() {
+    Child() = default;
+    Child& operator=(Child&&) = delete;
+    ~Child() {
         if (id <= 0) return;
         end();
         wait();

@@ -271,7 +271,7 @@ std::vector<char*> decoder_environment() {
 }
 
 // A decoder at work.
-struct Process : ChildProcess {
+struct Process : Child {
     Process(const fs::path& program, const char* reader, const DecodeRequest& request,
             const Descriptor& file) {
         auto ends = own_pipe();

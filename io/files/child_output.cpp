@@ -26,8 +26,8 @@ std::runtime_error child_error(const std::string& program, const std::string& wh
     return std::runtime_error(program + " " + what);
 }
 
-struct Child : ChildProcess {
-    explicit Child(const std::vector<std::string>& words) {
+struct StartedProgram : Child {
+    explicit StartedProgram(const std::vector<std::string>& words) {
         auto ends = own_pipe();
         if (!ends)
             throw child_error(words[0], "cannot be started: " + std::generic_category().message(errno));
@@ -64,7 +64,7 @@ bool is_in_path(const std::string& program) {
 std::optional<ChildOutput> output_of(const std::vector<std::string>& words, const ChildLimits& limits,
                                      const std::stop_token& stop) {
     constexpr int kLookEvery = 50;  // ms: for being stopped, and for the time
-    Child child(words);
+    StartedProgram child(words);
     const auto begin = ChildClock::now();
     ChildOutput output;
     std::array<char, 1 << 16> buffer;

@@ -555,7 +555,8 @@ TEST_CASE("whoever watches sees each pen's dots from the first on, about as many
         REQUIRE(dots.pieces.size() == 3);
         for (std::size_t pen = 0; pen < 3; ++pen) {
             CHECK(dots.pieces[pen].pen == int(pen));
-            CHECK(double(dots.pieces[pen].size()) == doctest::Approx(whole.pieces[pen].size()).epsilon(0.02));
+            CHECK(double(dots.pieces[pen].size()) ==
+                  doctest::Approx(double(whole.pieces[pen].size())).epsilon(0.02));
         }
     }
     const DotPieces ended = drawn_until(1);
