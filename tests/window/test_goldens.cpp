@@ -246,7 +246,7 @@ TEST_CASE("each dialog, the list of presets and the player look as they did") {
         compare_dialog("about", {});
 
         viewer.click("Preset");
-        REQUIRE(viewer.shows([&] { return viewer.has("Picture of poster"); }));
+        REQUIRE(viewer.shows([&] { return viewer.has("Picture of Poster"); }));
         viewer.move(30 * scale, 300 * scale);
         compare_rested(viewer, look, "presets", [&](const json& widgets) {
             return Rectangle<int>{box_of(widgets.at("Custom")).low - 4 * scale,

@@ -52,7 +52,7 @@ TEST_CASE("a file of pens that is wrong is told with its name, the pen and the f
                 "pen 2: width: is not known"},
           Wrong{"[" + good + R"({"colour": "#111"}])", "pen 2: name: is missing"},
           Wrong{R"([{"name": 3, "colour": "#111"}])", "pen 1: name: 3 is not a text"},
-          Wrong{R"([{"name": "<b>", "colour": "#111"}])", R"(pen 1: name: "<b>" is none)"},
+          Wrong{R"([{"name": "<b>", "colour": "#111"}])", R"(pen 1: name: "<b>" is not possible)"},
           Wrong{R"([{"name": "A"}])", "pen 1: colour: is missing"},
           Wrong{R"([{"name": "A", "colour": "blue-ish"}])", "pen 1: colour: "},
           Wrong{R"([{"name": "A", "colour": "#111", "width_mm": "0.3"}])",
