@@ -57,7 +57,7 @@ class Growth {
                 (covered(part, load * middle) < wanted ? low : high) = middle;
             }
             // A part of relaxed dots lies about as placed ones do, which cover a little more: measured.
-            const double lost = all.ink.relaxing_steps > 0 ? 0.22 / every * std::min(load, 1.0) : 0;
+            const double lost = all.ink.relaxing_steps > 0 ? 0.3 / every * std::min(load, 1.0) : 0;
             by_load_[i] = static_cast<float>(high * (1 + lost));
         }
     }

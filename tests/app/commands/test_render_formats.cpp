@@ -206,7 +206,7 @@ TEST_CASE("a pen's width alone makes each dot of a plot a touch of it, and the t
         const Outcome outcome = run_dapple("render " + scene("cat.png") + kDrawing + options);
         CAPTURE(outcome.err);
         REQUIRE(outcome.status == 0);
-        return outcome.err.find("the drawing is paler than the picture; ") != std::string::npos;
+        return outcome.err.find("The drawing will look paler than the picture. ") != std::string::npos;
     };
     CHECK(finding(scene("a.svg") + " --pen-width 0.1"));
     CHECK(read_svg(scene("a.svg")).circles().empty());

@@ -76,7 +76,7 @@ TEST_CASE("the dots of a drawing that was saved are analysed on its own page, th
     scene.put("other.json", "[1, 2]");
     scene.refuses(scene("other.svg") + " -o " + scene("old.json"), "is not an SVG that dapple render wrote");
     scene.refuses(scene("other.json") + " -o " + scene("old.json"), "is not a drawing in JSON");
-    scene.refuses(svg + " --width 3 -o " + scene("old.json"), "--width: is known from the drawing itself");
+    scene.refuses(svg + " --width 3 -o " + scene("old.json"), "--width: follows from the drawing itself");
     scene.refuses(csv + " --gamma 2 -o " + scene("old.json"), "--gamma: is for pictures");
 }
 
