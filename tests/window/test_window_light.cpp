@@ -103,14 +103,14 @@ TEST_CASE("holding W shows the drawing as it was; by its name it stays until som
     CHECK(has(4000));
     viewer.xdotool("keyup w");
     CHECK(has(500));
-    choose("compare as it was");
+    choose("compare as opened");
     CHECK(has(4000));
     enter_dots("300");
     CHECK(has(300));
     choose("keep settings");
     enter_dots("200");
     REQUIRE(has(200));
-    choose("compare as it was");
+    choose("compare as opened");
     CHECK(has(300));
     viewer.key("Escape");
     CHECK(has(200));

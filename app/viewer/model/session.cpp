@@ -473,7 +473,7 @@ void Session::take(DotsPlaced& event) {
             read && read->settings_before ? read->settings_before->safe : safe_;
         know_safe(source_.brought_back ? std::nullopt : std::optional(settings.drawing));
         if (read) come_to(read->opened, {std::move(read->before), std::move(safe)});
-        saved_path_.clear();                     // it shows another picture
+        saved_path_.clear();                             // it shows another picture
         if (read && !picture_is_missing()) banner = {};  // whatever it said was about the one before
         if (picture_.looks_like_environment)
             banner = {.message = picture_.name + " looks like an environment map.",

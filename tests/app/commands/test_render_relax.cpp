@@ -304,7 +304,7 @@ TEST_CASE(
                   {.width = 30, .height = 20, .values = std::vector<float>(600, 1.0f)});
     const std::string from = "render " + scene("white.png") + " -o " + scene("new.svg");
     for (const std::string options : {"", " --tone true --relax 0"})
-        scene.must_fail(from + options, "nothing to draw, all of it is as light as the paper");
+        scene.must_fail(from + options, "nothing to draw, as all of it is as light as the paper");
     for (const std::string options : {" --scale 100", " --dot-radius 0.1..0.4"})
         CHECK(run_dapple(from + options).status == 0);
 }
