@@ -12,6 +12,7 @@
 #include "core/settings/fields.h"
 #include "core/text/shown_text.h"
 #include "io/files/atomic_file.h"
+#include "io/files/child_output.h"
 #include "io/files/picture.h"
 #include "io/files/save_drawing.h"
 #include "io/files/separations.h"
@@ -473,7 +474,7 @@ void Session::take(DotsPlaced& event) {
             read && read->settings_before ? read->settings_before->safe : safe_;
         know_safe(source_.brought_back ? std::nullopt : std::optional(settings.drawing));
         if (read) come_to(read->opened, {std::move(read->before), std::move(safe)});
-        saved_path_.clear();                     // it shows another picture
+        saved_path_.clear();                             // it shows another picture
         if (read && !picture_is_missing()) banner = {};  // whatever it said was about the one before
         if (picture_.looks_like_environment)
             banner = {.message = picture_.name + " looks like an environment map.",
@@ -519,6 +520,7 @@ void Session::take(DrawingSaved& event) {
         return;
     }
     std::string words = event.path.string();
+    const bool may_show = event.path != film_path_ && is_in_path("xdg-open");
     if (event.path != film_path_) {
         const auto& [drawing, saving] = saves_[event.path];
         const DrawingFormat format = drawing_format(event.path);
@@ -533,7 +535,7 @@ void Session::take(DrawingSaved& event) {
             words = fmt::format("{} to {}", saved_files_.front().string(),
                                 saved_files_.back().filename().string());
     }
-    banner = {BannerKind::notice, "Saved " + words};
+    banner = {.message = "Saved " + words, .offer = may_show ? kShowInFolder : ""};
 }
 
 void Session::take(SavingCancelled& event) {

@@ -10,6 +10,7 @@
 #include "app/viewer/background/small_pictures.h"
 #include "app/viewer/canvas/page_frame.h"
 #include "app/viewer/canvas/pane_view.h"
+#include "app/viewer/desktop/desktop_dialog.h"
 #include "app/viewer/desktop/pasted_picture.h"
 #include "app/viewer/panels/settings_panels.h"
 #include "app/viewer/panels/window_panels.h"
@@ -440,10 +441,16 @@ Zoom DrawingDocument::zoom() const {
 
 void DrawingDocument::draw_over_canvas(const CanvasPlace& place, const std::function<void(Action)>& act) {
     const bool offer_taken = draw_banner(session_.banner, place.corner, place.size);
-    if (offer_taken && session_.picture_is_missing())
-        act(Action::find_picture);
-    else if (offer_taken)
-        show_lights();
+    try {
+        if (offer_taken && session_.banner.offer == kShowInFolder)
+            show_in_folder(session_.saved_path());
+        else if (offer_taken && session_.picture_is_missing())
+            act(Action::find_picture);
+        else if (offer_taken)
+            show_lights();
+    } catch (const std::exception& error) {
+        say(error.what());
+    }
     const Worker& worker = session_.pane().worker();
     if (const auto saving = worker.saving()) {
         if (draw_saving_banner(saving->path.filename().string(), saving->share, place.corner, place.size))
@@ -591,7 +598,9 @@ void DrawingDocument::measure_dots() {
     if (!session_.placed_once()) return;
     const Pane& pane = session_.pane();
     const auto plotting = plotting_clock_.time(pane, session_.settings);
-    plotting_ = plotting ? "plotting " + time_in_words(plotting->total_s()) : "";
+    plotting_ = plotting                ? "plotting " + time_in_words(plotting->total_s())
+                : pane.page().settled() ? ""
+                                        : "plotting \u2026";
     if (open_.spectrum)
         spectrum_.update(pane, canvas_.camera(), pane.tile_size());
     else
