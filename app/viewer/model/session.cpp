@@ -180,6 +180,7 @@ DotsRequest Session::as_shown(DotsRequest request) const {
         request.drawing.page.crop.reset();
         request.drawing.page.fit = PageFit::inside;
     }
+    if (as_placed) request.drawing.relax = 0;
     request.settled_only = settings.every_frame;
     return request;
 }
@@ -453,6 +454,12 @@ void Session::request_dots(const Zoom& zoom, bool held) {
 
 void Session::stop_placing() {
     if (!placed_settings_) return;
+    if (*placed_settings_ == settings) {  // its dots are there, and relax
+        settings.drawing.relax = pane_.page().steps;
+        placed_settings_ = settings;
+        banner = {BannerKind::notice, "Relaxing stopped. Move Relax for more steps"};
+        return;
+    }
     settings = *placed_settings_;
     banner = {BannerKind::notice, "Cancelled. The previous drawing is back"};
 }

@@ -23,9 +23,9 @@ bool draw_crop_rows(PageSetup& setup, CropTool& tool, glm::ivec2 picture, glm::d
     std::optional<Crop>& crop = setup.crop;
     Rectangle<double> box = crop_percent(crop, picture);
     bool changed = false;
-    if (segmented_row("Proportions", tool.proportion, names_of(tool.proportion),
-                      "Proportions that the frame keeps while dragged. page: the paper within its margins. "
-                      "3:2: upright if the frame is.")) {
+    if (choice_row("Proportions", tool.proportion, names_of(tool.proportion),
+                   "Proportions that the frame keeps while dragged. page: the paper within its margins. "
+                   "Others are upright if the frame is.")) {
         box = in_proportion(box, percent_proportion(tool.proportion, box, picture, room));
         changed = tool.proportion != CropProportion::free;
     }

@@ -159,6 +159,13 @@ bool draw_relax(std::optional<int>& relax, const DrawnInfo& drawn) {
 
 }  // namespace
 
+bool draw_amount_rows(DrawingSettings& settings, const DrawnInfo& drawn, LengthUnit unit) {
+    const bool follows = settings.dot_size.sizing == DotSizing::by_tone;
+    const bool changed = draw_amount(settings.placing, drawn, follows, unit);
+    const Absent absent(follows ? "Does not apply to dots sized by tone." : nullptr);
+    return draw_amount_by(settings.placing, drawn) || changed;
+}
+
 bool draw_dots_panel(DrawingSettings& settings, const DrawnInfo& drawn, LengthUnit unit) {
     if (!section("Drawing")) return false;
     const bool follows = settings.dot_size.sizing == DotSizing::by_tone;

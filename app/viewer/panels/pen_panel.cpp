@@ -19,8 +19,11 @@ SliderRange length_range(double max, double hard_max, LengthUnit unit, const cha
     return {.max = max, .hard_max = hard_max, .typed = TypedKind::length, .unit = unit, .tip = tip};
 }
 
-SliderRange width_range(LengthUnit unit) {
-    return length_range(1.5, kWidestPenMm, unit, "Width of the pen's line; 0: as wide as the dots.");
+SliderRange width_range(LengthUnit unit, double width_mm) {
+    SliderRange range =
+        length_range(1.5, kWidestPenMm, unit, "Width of the pen's line; 0: as wide as the dots.");
+    if (width_mm == 0) range.format = "auto";
+    return range;
 }
 
 SliderRange gain_range(LengthUnit unit) {
@@ -115,7 +118,7 @@ bool draw_tips(PenChoice& pens, LengthUnit unit) {
                                  : chooses_from_own(pens) ? "Each pen of the palette has its own width."
                                                           : nullptr;
     const Absent absent(no_width);
-    const bool changed = slider_row("Tip width", pens.width_mm, width_range(unit));
+    const bool changed = slider_row("Tip width", pens.width_mm, width_range(unit, pens.width_mm));
     const Absent no_gain(pens.width_mm > 0 ? nullptr : "Give the pens a width first.");
     return slider_row("Dot gain", pens.gain_mm, gain_range(unit)) || changed;
 }
@@ -158,7 +161,7 @@ bool draw_own_pen(const PenChoice& choice, Palette& pens, std::size_t place, Len
                             "Up to 40 plain letters, digits, spaces and - _ . ( ), and no other pen's name",
                             "The pen's name, which is its layer's in the file.");
     changed |= colour_row(("Colour" + number).c_str(), pen.colour, "The pen's colour on paper.");
-    changed |= slider_row(("Width" + number).c_str(), pen.width_mm, width_range(unit));
+    changed |= slider_row(("Width" + number).c_str(), pen.width_mm, width_range(unit, pen.width_mm));
     {
         const Absent absent(pen.width_mm > 0 ? nullptr : "Give the pen a width first.");
         changed |= slider_row(
@@ -229,16 +232,16 @@ void draw_pen_alone(std::span<const Pen> drawn, ShownPens& shown) {
         shown.only = chosen == 0 ? "" : drawn[static_cast<std::size_t>(chosen - 1)].name;
 }
 
-// A row for each pen that drew what is seen.
-void draw_pen_faces(const PensSeen& seen) {
+// A row for each pen, by the settings: while others are computed the rows stay.
+void draw_pen_faces(std::span<const Pen> pens, const PensSeen& seen) {
     if (!seen.shown) return;
     ShownPens& shown = *seen.shown;
-    for (std::size_t i = 0; i < seen.drawn.size(); ++i) {
-        const Pen& pen = seen.drawn[i];
+    for (std::size_t i = 0; i < pens.size(); ++i) {
+        const Pen& pen = pens[i];
         bool is_seen = shown.only.empty() ? !shown.hidden.contains(pen.name) : shown.only == pen.name;
         if (!eye_row(("Show " + pen.name).c_str(), pen.name, pen.colour,
-                     i < seen.dots.size() ? grouped(seen.dots[i]) : "", is_seen,
-                     "Show or hide on screen. Exports include it."))
+                     i < seen.dots.size() && seen.drawn[i].name == pen.name ? grouped(seen.dots[i]) : "",
+                     is_seen, "Show or hide on screen. Exports include it."))
             continue;
         shown.only.clear();
         if (is_seen)
@@ -248,7 +251,7 @@ void draw_pen_faces(const PensSeen& seen) {
     }
 }
 
-bool draw_more(DrawingSettings& settings, LengthUnit unit, const PensSeen& seen) {
+bool draw_more(DrawingSettings& settings, LengthUnit unit, std::span<const Pen> drawn, const PensSeen& seen) {
     const Absent absent(settings.pens.set == PenSet::one ? "Applies to several pens only." : nullptr);
     if (!subsection("More pen settings", false)) return false;
     PenChoice& pens = settings.pens;
@@ -259,7 +262,7 @@ bool draw_more(DrawingSettings& settings, LengthUnit unit, const PensSeen& seen)
     changed |= choice_row(setting::pen_ink.names.row, pens.ink, names_of(pens.ink), setting::pen_ink.help);
     changed |= draw_black_ink(pens);
     changed |= switch_row(setting::registration, settings.registration);
-    if (seen.shown) draw_pen_alone(seen.drawn, *seen.shown);
+    if (seen.shown) draw_pen_alone(drawn, *seen.shown);
     changed |= draw_adding(settings.pens);
     if (settings.pens.set == PenSet::own) changed |= draw_own_pens(settings.pens, unit);
     return changed;
@@ -284,8 +287,9 @@ bool draw_pen_panel(DrawingSettings& settings, LengthUnit unit, const PensSeen& 
         if (kept.row)
             changed |= kept.row->draw(settings.pens, pens_to_keep(settings.pens, seen), *kept.banner);
     }
-    draw_pen_faces(seen);
-    return draw_more(settings, unit, seen) || changed;
+    const Palette drawn = pens_to_keep(settings.pens, seen);
+    draw_pen_faces(drawn, seen);
+    return draw_more(settings, unit, drawn, seen) || changed;
 }
 
 }  // namespace dapple

@@ -353,7 +353,7 @@ DrawingDocument::Layout DrawingDocument::layout(const Frame& frame) const {
 void DrawingDocument::draw(const Frame& frame) {
     frame_rate_.frame(FrameRate::Clock::now());
     if (!ImGui::GetIO().WantCaptureKeyboard && escape_pressed()) stop_what_takes_long();
-    compared_.hold(comparison_held());
+    compared_.hold(std::exchange(compare_pressed_, false) ? SeenInstead::photograph : comparison_held());
     session_.take_events(std::chrono::milliseconds(0));
     compared_.take_events();
     take_mask();
@@ -404,7 +404,7 @@ void DrawingDocument::draw(const Frame& frame) {
     if (variations_ && session_.placed_once() && !session_.film)
         choose_variation(place);
     else if (panels && !session_.film)
-        draw_canvas_tools(place.corner, side_panel_.column(), frame.act);
+        compare_pressed_ = draw_canvas_tools(place.corner, side_panel_.column(), frame.act);
     const Redraw redraw = frame.window.frame_is_unseen()  ? Redraw::later
                           : session_.settings.every_frame ? Redraw::always
                                                           : Redraw::when_changed;
