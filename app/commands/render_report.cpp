@@ -124,12 +124,11 @@ void print_summary(const RenderOptions& options, const Rendered& drawn) {
                    strokes->drawn_m == 0 || saved.empty() || !drawn.preflight
                        ? saved
                        : fmt::format("; pen travel {}{}", way_in_words(drawn.preflight->pen_up_m), saved));
-    else if (drawn.preflight && !drawn.plotting && drawn.dots > 1)
-        fmt::print(stderr, "{}; the nearest are {} apart\n", dots,
-                   millimetres_in_words(drawn.preflight->nearest_mm));
     else if (drawn.preflight && drawn.dots > 1)
-        fmt::print(stderr, "{}; the pen moves {} between them{}; the nearest are {} apart\n", dots,
-                   way_in_words(drawn.preflight->pen_up_m), saved,
+        fmt::print(stderr, "{}{}; the nearest are {} apart\n", dots,
+                   drawn.plotting ? fmt::format("; the pen moves {} between them{}",
+                                                way_in_words(drawn.preflight->pen_up_m), saved)
+                                  : "",
                    millimetres_in_words(drawn.preflight->nearest_mm));
     else
         fmt::print(stderr, "{}\n", dots);

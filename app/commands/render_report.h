@@ -39,7 +39,6 @@ struct Rendered : DrawingFigures {
     double radius_mm = 0;
     DotOrder order = DotOrder::recursion;
     std::optional<double> curve_way_m = {};  // of the pen, before it was shortened
-    bool mostly_black = false;               // light ink would draw the picture better
     Palette pens = {};                       // several
     RenderTimes times = {};
 };

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace dapple {
@@ -156,7 +155,7 @@ Rectangle<int> Canvas::show(const CanvasPlace& place, SplitLook look, Redraw red
     }
     if (redraw == Redraw::later) return {{0, 0}, {0, 0}};
     // A person who asks for the photograph sees it at once.
-    upload(look.sides[0].dots ? kUploadSeconds : std::numeric_limits<double>::infinity());
+    upload(look.sides[0].dots ? kUploadSeconds : double{INFINITY});
     if (redraw == Redraw::always || drawn_camera_ != camera_ || drawn_look_ != look) {
         const bool keeps_desk = desk_camera_ == camera_ && have_same_desk(drawn_look_, look);
         drawn_camera_ = desk_camera_ = camera_;

@@ -222,7 +222,6 @@ ExportInfo ExportEstimate::info(const Pane& pane, const ViewerSettings& settings
         info_.plotting = drawn.plotting = plotting.time;
         drawn.gcode = gcode_facts(gcode, plotting.segments, plotting.time.drawing_s);
         info_.way_m = plotting.way_m;
-        if (order == DotOrder::shortest) info_.way_before_m = plotting.way_before_m;
     }
     if (settings.drawing.style == DrawingStyle::line)
         drawn.longest_link_mm = longest_line(drawing.strokes) * page.mm_per_page_unit;

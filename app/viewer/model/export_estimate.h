@@ -35,8 +35,7 @@ struct ExportInfo {
     std::string trouble = {};                   // why it cannot be written; empty: it can
     PageSize page = {};                         // that is written; 0: not known
     std::optional<PlottingTime> plotting = {};  // about, once all is relaxed, of the machine chosen
-    double way_m = 0;                           // of the pen, about,
-    std::optional<double> way_before_m = {};    // and before it is shortened, if it is
+    double way_m = 0;                           // of the pen, about
     std::vector<Finding> findings = {};
 };
 

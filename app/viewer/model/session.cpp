@@ -527,7 +527,6 @@ void Session::take(DrawingSaved& event) {
         return;
     }
     std::string words = event.path.string();
-    const bool may_show = event.path != film_path_ && is_in_path("xdg-open");
     if (event.path != film_path_) {
         const auto& [drawing, saving] = saves_[event.path];
         const DrawingFormat format = drawing_format(event.path);
@@ -542,7 +541,8 @@ void Session::take(DrawingSaved& event) {
             words = fmt::format("{} to {}", saved_files_.front().string(),
                                 saved_files_.back().filename().string());
     }
-    banner = {.message = "Saved " + words, .offer = may_show ? kShowInFolder : ""};
+    banner = {.message = "Saved " + words,
+              .offer = event.path != film_path_ && is_in_path("xdg-open") ? kShowInFolder : ""};
 }
 
 void Session::take(SavingCancelled& event) {

@@ -122,8 +122,7 @@ class Session {
     /// Gives up the reading of a picture: the one before stays, or what there is of a first look.
     void stop_opening() { pane_.worker().stop_opening(); }
 
-    /// Gives up the work under way: the settings are again those of the drawing that is shown; one that still
-    /// relaxes is to have the steps that it has.
+    /// Gives up the work under way: the settings are again the shown drawing's, with the steps it has so far.
     void stop_placing();
 
     /// Remembers the settings for undo, unless they are still being edited. To open a picture is one step,

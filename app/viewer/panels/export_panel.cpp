@@ -117,22 +117,15 @@ bool draw_machine(SavingChoice& saving, DrawingFormat format, const ExportInfo& 
     int chosen = machine ? static_cast<int>(*machine) + !needs_one : 0;
     const bool changed = choice_row("Machine", chosen, std::span(kMachines).subspan(needs_one ? 1 : 0),
                                     "Used for the time and the advice below; the file is the same for all.");
-    if (changed && !needs_one && chosen == 0)
-        saving.machine.reset();
-    else if (changed)
-        saving.machine = static_cast<Machine>(chosen - !needs_one);
+    if (changed) saving.machine = static_cast<Machine>(chosen - !needs_one);
+    if (changed && !needs_one && chosen == 0) saving.machine.reset();
     if (info.dots == 0 || !machine) return changed;
-    hint(info.plotting ? fmt::format("Plotting takes {}, {}.", time_in_words(info.plotting->total_s()),
-                                     what_takes_longest(*info.plotting))
+    hint(info.plotting ? fmt::format("Plotting takes {}, {}; pen travel {:.1f} m.",
+                                     time_in_words(info.plotting->total_s()),
+                                     what_takes_longest(*info.plotting), info.way_m)
                              .c_str()
                        : "Plotting takes \u2026");
     note_place("Plotting time");
-    if (info.way_m <= 0) return changed;
-    hint(info.way_before_m
-             ? fmt::format("Pen travel: {:.1f} m ({:.1f} m unoptimised)", info.way_m, *info.way_before_m)
-                   .c_str()
-             : fmt::format("Pen travel: {:.1f} m", info.way_m).c_str());
-    note_place("Pen travel");
     return changed;
 }
 
@@ -225,13 +218,17 @@ bool draw_findings(std::vector<Finding> findings, ViewerSettings& settings, Draw
     return changed;
 }
 
-// "210 x 297 mm, 2480 x 3508 pixels, ", before what the file comes to.
-std::string page_in_words(const PageSize& page, const ViewerSettings& settings, DrawingFormat format) {
-    if (!(page.width_mm > 0)) return "";
-    const std::string paper = paper_in_words(page, settings.unit) + ", ";
-    if (!has_pixels(format)) return paper;
-    const RasterSize size = raster_size(page, settings.saving.dpi);
-    return fmt::format("{}{} x {} pixels, ", paper, size.width, size.height);
+// "2480 x 3508 pixels, 210 x 297 mm, about 24 MB, 400,000 dots".
+std::string file_in_words(const ViewerSettings& settings, DrawingFormat format, const ExportInfo& info) {
+    if (!info.trouble.empty()) return "Cannot be written; see below.";
+    const Sheet& sheets = settings.drawing.sheets;
+    if (is_several(sheets))
+        return fmt::format("{} x {} sheets and a plan, a file each: {}", sheets.columns, sheets.rows,
+                           size_in_words(info));
+    const std::string words = paper_in_words(info.page, settings.unit) + ", " + size_in_words(info);
+    if (!has_pixels(format)) return words;
+    const RasterSize size = raster_size(info.page, settings.saving.dpi);
+    return fmt::format("{} x {} pixels, {}", size.width, size.height, words);
 }
 
 // That only a part of the page is saved, which the settings that were opened say.
@@ -255,12 +252,7 @@ std::string size_in_words(const ExportInfo& info) {
 
 bool draw_export_panel(ViewerSettings& settings, DrawingFormat format, const ExportInfo& info) {
     bool changed = false;
-    const Sheet& sheets = settings.drawing.sheets;
-    hint(!info.trouble.empty() ? info.trouble.c_str()
-         : is_several(sheets)  ? fmt::format("{} x {} sheets and a plan, a file each: {}.", sheets.columns,
-                                             sheets.rows, size_in_words(info))
-                                    .c_str()
-                              : (page_in_words(info.page, settings, format) + size_in_words(info)).c_str());
+    hint(file_in_words(settings, format, info).c_str());
     note_place("File size");
     const char* const why_one =
         settings.drawing.pens.set == PenSet::one ? "Applies to several pens only." : nullptr;
@@ -285,8 +277,12 @@ bool draw_export_panel(ViewerSettings& settings, DrawingFormat format, const Exp
         changed |= switch_row(format == DrawingFormat::svg ? "Paper in SVG" : "Paper in PDF",
                               settings.drawing.background,
                               "Paints the paper's colour under the dots; a plotter needs none.");
-    if (settings.saving.region && !is_several(sheets)) changed |= draw_region(settings.saving.region);
-    if (!info.trouble.empty()) return changed;
+    if (settings.saving.region && !is_several(settings.drawing.sheets))
+        changed |= draw_region(settings.saving.region);
+    if (!info.trouble.empty()) {
+        hint(info.trouble.c_str());
+        return changed;
+    }
     changed |= draw_findings(info.findings, settings, format);
     if (settings.drawing.show_tiles && format != DrawingFormat::svg)
         hint("The tile boundaries are not saved: only SVG has layers.");

@@ -48,8 +48,8 @@ bool draw_sides(PageSetup& setup, const PageSize& drawn, LengthUnit unit) {
         changed = true;
     }
     // What follows from the width is the default.
-    const std::optional<double> usual = setup.height_mm ? std::nullopt : std::optional(height);
-    if (slider_row(setting::height, height, {.usual = usual, .unit = unit}) && height != usual) {
+    if (slider_row(setting::height, height,
+                   {.usual = setup.height_mm ? std::nullopt : std::optional(height), .unit = unit})) {
         setup.height_mm = height;
         changed = true;
     }

@@ -232,16 +232,16 @@ void draw_pen_alone(std::span<const Pen> drawn, ShownPens& shown) {
         shown.only = chosen == 0 ? "" : drawn[static_cast<std::size_t>(chosen - 1)].name;
 }
 
-// A row for each pen, by the settings: while others are computed the rows stay.
-void draw_pen_faces(std::span<const Pen> pens, const PensSeen& seen) {
+// A row for each pen.
+void draw_pen_faces(const PensSeen& seen) {
     if (!seen.shown) return;
     ShownPens& shown = *seen.shown;
-    for (std::size_t i = 0; i < pens.size(); ++i) {
-        const Pen& pen = pens[i];
+    for (std::size_t i = 0; i < seen.drawn.size(); ++i) {
+        const Pen& pen = seen.drawn[i];
         bool is_seen = shown.only.empty() ? !shown.hidden.contains(pen.name) : shown.only == pen.name;
         if (!eye_row(("Show " + pen.name).c_str(), pen.name, pen.colour,
-                     i < seen.dots.size() && seen.drawn[i].name == pen.name ? grouped(seen.dots[i]) : "",
-                     is_seen, "Show or hide on screen. Exports include it."))
+                     i < seen.dots.size() ? grouped(seen.dots[i]) : "", is_seen,
+                     "Show or hide on screen. Exports include it."))
             continue;
         shown.only.clear();
         if (is_seen)
@@ -251,7 +251,7 @@ void draw_pen_faces(std::span<const Pen> pens, const PensSeen& seen) {
     }
 }
 
-bool draw_more(DrawingSettings& settings, LengthUnit unit, std::span<const Pen> drawn, const PensSeen& seen) {
+bool draw_more(DrawingSettings& settings, LengthUnit unit, const PensSeen& seen) {
     const Absent absent(settings.pens.set == PenSet::one ? "Applies to several pens only." : nullptr);
     if (!subsection("More pen settings", false)) return false;
     PenChoice& pens = settings.pens;
@@ -262,7 +262,7 @@ bool draw_more(DrawingSettings& settings, LengthUnit unit, std::span<const Pen> 
     changed |= choice_row(setting::pen_ink.names.row, pens.ink, names_of(pens.ink), setting::pen_ink.help);
     changed |= draw_black_ink(pens);
     changed |= switch_row(setting::registration, settings.registration);
-    if (seen.shown) draw_pen_alone(drawn, *seen.shown);
+    if (seen.shown) draw_pen_alone(seen.drawn, *seen.shown);
     changed |= draw_adding(settings.pens);
     if (settings.pens.set == PenSet::own) changed |= draw_own_pens(settings.pens, unit);
     return changed;
@@ -287,9 +287,14 @@ bool draw_pen_panel(DrawingSettings& settings, LengthUnit unit, const PensSeen& 
         if (kept.row)
             changed |= kept.row->draw(settings.pens, pens_to_keep(settings.pens, seen), *kept.banner);
     }
-    const Palette drawn = pens_to_keep(settings.pens, seen);
-    draw_pen_faces(drawn, seen);
-    return draw_more(settings, unit, drawn, seen) || changed;
+    // By the settings: the rows stay while others are computed.
+    PensSeen rows = seen;
+    Palette pens = pens_to_keep(settings.pens, seen);
+    sort_pens(pens, settings.pens.order);
+    if (!std::ranges::equal(pens, seen.drawn, {}, &Pen::name, &Pen::name)) rows.dots = {};
+    rows.drawn = pens;
+    draw_pen_faces(rows);
+    return draw_more(settings, unit, rows) || changed;
 }
 
 }  // namespace dapple

@@ -3,12 +3,9 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
-#include "app/viewer/widgets/row.h"
 #include "app/viewer/widgets/widgets.h"
 #include "core/image/auto_tone.h"
 
@@ -70,37 +67,6 @@ void draw_crop(Session& session) {
     PageSetup& setup = session.settings.drawing.page;
     const PlacedDrawing& page = session.pane().page();
     draw_crop_rows(setup, session.cropping, page.plan.opened, session.room_for_crop());
-}
-
-// Five steps through the method, a button each, which set what shows it.
-void draw_steps(ViewerSettings& settings) {
-    constexpr std::array<std::pair<const char*, const char*>, 5> kSteps{
-        {{"Tile", "1. One tile over the whole page."},
-         {"Copies", "2. Each tile is divided into four, until there are dots enough: by level."},
-         {"Ranks", "3. In each tile the dots appear in the order of their ranks: by rank."},
-         {"Period", "4. A tile without rule repeats: the loupe finds the same dots in all squares."},
-         {"Cure", "5. A tile that never repeats: no two squares are alike."}}};
-    const float air = ImGui::GetStyle().FramePadding.y, count = kSteps.size();
-    const float width = (ImGui::GetContentRegionAvail().x - (count - 1) * air) / count;
-    const ImVec2 start = ImGui::GetCursorScreenPos();
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {air / 2, air});
-    for (std::size_t i = 0; i < kSteps.size(); ++i) {
-        if (i > 0) ImGui::SameLine(0, air);
-        const bool pressed = key_button(kSteps[i].first, {std::max(width, 1.0f), 0});
-        note_place(kSteps[i].first);
-        tip_beside(start, kSteps[i].second);
-        if (!pressed) continue;
-        DrawingSettings& drawing = settings.drawing;
-        drawing.placer = PlacerKind::exact;
-        drawing.show_tiles = i < 3;
-        if (i == 3) drawing.tile = "paper16";
-        if (i == 4) drawing.tile = kDefaultTile;
-        settings.deepest_level = i == 0 ? 0 : kDeepestStep;
-        settings.colouring = i == 1 ? DotColouring::level : i == 2 ? DotColouring::rank : DotColouring::ink;
-        settings.density.source = i < 3 ? DensitySource::photograph : DensitySource::grey;
-        settings.loupe.on = i >= 3;
-    }
-    ImGui::PopStyleVar();
 }
 
 void draw_method(Session& session, const std::function<void(Action)>& act) {

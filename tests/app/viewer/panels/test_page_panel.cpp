@@ -68,6 +68,11 @@ TEST_CASE("usual margins are as wide as a dot reaches, stay so when the dots cha
     drawn.reach_mm = 3;
     ui.enter("Top, mm", "3");
     CHECK(setup.margins == Margins{3, 3, 0.25, 0.25});
+    // Shown in steps of 0.05 mm, which do not drift with the number of dots.
+    setup.margins.reset();
+    drawn.reach_mm = 0.281;
+    ui.enter("Right, mm", "4");
+    CHECK(setup.margins->top == doctest::Approx(0.3));
 }
 
 TEST_CASE("a mural's sheets share strips, and say how large they are or why they cannot be") {
