@@ -263,7 +263,6 @@ bool draw_more(DrawingSettings& settings, LengthUnit unit, const PensSeen& seen)
     changed |= draw_black_ink(pens);
     changed |= switch_row(setting::registration, settings.registration);
     if (seen.shown) draw_pen_alone(seen.drawn, *seen.shown);
-    changed |= draw_adding(settings.pens);
     if (settings.pens.set == PenSet::own) changed |= draw_own_pens(settings.pens, unit);
     return changed;
 }
@@ -287,6 +286,7 @@ bool draw_pen_panel(DrawingSettings& settings, LengthUnit unit, const PensSeen& 
         if (kept.row)
             changed |= kept.row->draw(settings.pens, pens_to_keep(settings.pens, seen), *kept.banner);
     }
+    changed |= draw_adding(settings.pens);
     // By the settings: the rows stay while others are computed.
     PensSeen rows = seen;
     Palette pens = pens_to_keep(settings.pens, seen);

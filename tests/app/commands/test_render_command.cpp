@@ -66,7 +66,7 @@ TEST_CASE("a picture becomes an SVG of exactly as many circles as asked for, no 
     CHECK(outcome.err.starts_with("3,000 dots, "));
     CHECK(std::ranges::count(outcome.err, '\n') == 1);
     const Outcome advised =
-        run_dapple("render " + scene("cat.png") + " --dots 300 --advice -o " + scene("b.svg"));
+        run_dapple("render " + scene("cat.png") + " --dots 3000 --width 150 --advice -o " + scene("b.svg"));
     CHECK(advised.err.find(" on an AxiDraw V3: mostly raising and lowering the pen\n") != std::string::npos);
     const Svg svg = read_svg(scene("cat.svg"));
     CHECK(svg.circles().size() == 3000);

@@ -101,7 +101,7 @@ TEST_CASE(
         ui.click(name);
         ui.frame();
     };
-    choose("night");
+    choose("Night");
     CHECK(now.drawing == preset_named("night", "").settings.drawing);
     now.drawing.tone.contrast = 0.25f;
     choose("Save these settings as...");

@@ -71,7 +71,10 @@ TEST_CASE("five steps lead through the method, a click each, from whatever was s
 
 TEST_CASE("over the canvas Compare is held as long as the mouse holds it") {
     bool held = false;
-    HeadlessUi ui([&] { held = draw_canvas_tools({0, 0}, Column::drawing, [](Action) {}); });
+    HeadlessUi ui([&] {
+        ImGui::SetWindowSize({1, 1});  // the tools lie behind it
+        held = draw_canvas_tools({100, 100}, Column::drawing, [](Action) {});
+    });
     ui.move_to(ui.at("Hold to compare", 0.5f));
     CHECK_FALSE(held);
     ui.press();
