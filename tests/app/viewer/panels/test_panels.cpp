@@ -1,6 +1,7 @@
 // What holds for several panels, clicked and dragged without a window.
 
 #include <doctest/doctest.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <array>
@@ -72,8 +73,8 @@ TEST_CASE("five steps lead through the method, a click each, from whatever was s
 TEST_CASE("over the canvas Compare is held as long as the mouse holds it") {
     bool held = false;
     HeadlessUi ui([&] {
-        ImGui::SetWindowSize({1, 1});  // the tools lie behind it
         held = draw_canvas_tools({100, 100}, Column::drawing, [](Action) {});
+        ImGui::BringWindowToDisplayFront(ImGui::FindWindowByName("##tools"));  // from behind the others
     });
     ui.move_to(ui.at("Hold to compare", 0.5f));
     CHECK_FALSE(held);
