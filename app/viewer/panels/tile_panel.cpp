@@ -155,7 +155,7 @@ void draw_tile_panel(const TileView& tile, std::size_t& most_shown) {
                     .neutral = all,
                     .format = "%.0f",
                     .grouped = true,
-                     .tip = "Hides the tile's points, those of the last ranks first."}))
+                    .tip = "Hides the tile's points, those of the last ranks first."}))
         most_shown = shown >= count ? SIZE_MAX : shown;
     if (tile.next_kind.size() > 1) {
         hint(fmt::format("{}: kind 0 of {}, {} points each, dark ones first. Below: each kind as tile "
