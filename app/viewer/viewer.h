@@ -31,8 +31,9 @@ struct LightViewerOptions {
 
 /// Opens the window and returns the exit status once it is closed. Prints "ready" on standard output when the
 /// first dots or samples are on screen. A picture or map dropped on the window takes the place of the one
-/// shown, a tile file that of the tile; a project brings its settings too. A picture or project that cannot be
-/// read is told of above the sample. Throws std::runtime_error if there is no display, no such tile or map.
+/// shown, a tile file that of the tile; a project brings its settings too. A picture or project that cannot
+/// be read is told of above the sample. Throws std::runtime_error if there is no display, no such tile or
+/// map.
 int run_viewer(const ViewerOptions& options);
 int run_viewer(const LightViewerOptions& options);
 
