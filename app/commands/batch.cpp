@@ -94,7 +94,8 @@ void render_mural(const RenderOptions& options) {
         fmt::print(stderr, "{}: {}{}\n", sheets_in_words(page, sheets),
                    sheet_files_in_words(options.output, sheets), each_pen);
     }
-    for (const std::string& line : findings_among(found)) fmt::print(stderr, "{}\n", line);
+    if (prints_advice(options))
+        for (const std::string& line : findings_among(found)) fmt::print(stderr, "{}\n", line);
     if (options.stats) save_stats(*options.stats, stats_of_all(stats));
 }
 
@@ -195,7 +196,7 @@ BatchResult render_batch(const RenderOptions& options, const std::vector<fs::pat
         else
             ++result.drawn;
     }
-    result.findings = findings_among(found);
+    if (prints_advice(options)) result.findings = findings_among(found);
     std::erase(stats, "");  // of those that failed
     if (options.stats) save_stats(*options.stats, stats_of_all(stats));
     return result;

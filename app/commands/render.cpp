@@ -343,7 +343,6 @@ Rendered saved_part(const PlacedPicture& placed, const RenderOptions& options, S
     rendered.whole_page = page.layout.page;
     rendered.picture = page.layout.picture;
     rendered.radius_mm = drawing.dot_radius_mm;
-    rendered.mostly_black = mostly_black(*plan.histogram, plan.tone);
     rendered.pens = plan.pens;
     if (has_pixels(format)) {
         const RasterSize size = raster_size(page.part.size, options.saving.dpi);
@@ -352,7 +351,7 @@ Rendered saved_part(const PlacedPicture& placed, const RenderOptions& options, S
     rendered.order = order;
     if (curve_way) rendered.curve_way_m = *curve_way * page.part.size.mm_per_page_unit / 1000;
     rendered.times = times;
-    if (rendered.mostly_black && on_terminal())
+    if (prints_advice(options) && mostly_black(*plan.histogram, plan.tone) && on_terminal())
         stages.say(
             "nearly all dots will lie in black; use --invert --ink '#fff' --paper '#000' --background to "
             "draw the light parts instead");

@@ -40,6 +40,7 @@ struct RenderOptions {
     WorkShare share;
     std::optional<double> memory;                // bytes that it may take; none: what is available
     std::optional<std::filesystem::path> stats;  // figures about it all, as JSON
+    bool advice = false;                         // printed even if no machine was asked for
     std::vector<FileInUse> read = {};            // the picture and all else, which nothing is written over
 };
 

@@ -382,6 +382,9 @@ void RenderCommand::add_output_options(CLI::App& command) {
         .add_option("--stats", options_.stats,
                     "Saves figures about the drawing, as JSON; - for the standard output")
         ->type_name("FILE");
+    command.add_flag("--advice", options_.advice,
+                     "Also prints what to know before printing or plotting, as --machine and files for "
+                     "plotters do");
     command.add_flag_callback(
         "--huge", [this] { options_.limit = PictureLimit::huge; }, "Also reads pictures over 400 megapixels");
     add_memory(command, options_.memory);

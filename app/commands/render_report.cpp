@@ -91,6 +91,10 @@ std::string strokes_in_words(const StrokeFigures& strokes, DrawingStyle style) {
 
 }  // namespace
 
+bool prints_advice(const RenderOptions& options) {
+    return options.advice || options.saving.machine || is_for_machines(format_of(options));
+}
+
 void print_summary(const RenderOptions& options, const Rendered& drawn) {
     const std::optional<std::uint64_t> bytes = bytes_written(options, drawn);
     const std::string size = !bytes ? "" : ", " + bytes_in_words(static_cast<double>(*bytes));
@@ -108,6 +112,10 @@ void print_summary(const RenderOptions& options, const Rendered& drawn) {
     const std::string dots = dots_in_words(drawn.dots) + size + wide;
     if (drawn.dots == 0)
         fmt::print(stderr, "{}: this is all bare paper\n", dots);
+    else if (drawn.pixels.x > 0)
+        fmt::print(stderr, "{}; {} x {} pixels\n", dots, drawn.pixels.x, drawn.pixels.y);
+    else if (!prints_advice(options))
+        fmt::print(stderr, "{}\n", dots);
     else if (const auto& strokes = drawn.strokes)
         fmt::print(stderr, "{}; the pen {}{}{}\n", dots, strokes_in_words(*strokes, options.drawing.style),
                    strokes->strokes > 1
@@ -116,17 +124,15 @@ void print_summary(const RenderOptions& options, const Rendered& drawn) {
                    strokes->drawn_m == 0 || saved.empty() || !drawn.preflight
                        ? saved
                        : fmt::format("; pen travel {}{}", way_in_words(drawn.preflight->pen_up_m), saved));
-    else if (drawn.pixels.x > 0)
-        fmt::print(stderr, "{}; {} x {} pixels\n", dots, drawn.pixels.x, drawn.pixels.y);
-    else if (drawn.preflight && !drawn.plotting && drawn.dots > 1)
-        fmt::print(stderr, "{}; the nearest are {} apart\n", dots,
-                   millimetres_in_words(drawn.preflight->nearest_mm));
     else if (drawn.preflight && drawn.dots > 1)
-        fmt::print(stderr, "{}; the pen moves {} between them{}; the nearest are {} apart\n", dots,
-                   way_in_words(drawn.preflight->pen_up_m), saved,
+        fmt::print(stderr, "{}{}; the nearest are {} apart\n", dots,
+                   drawn.plotting ? fmt::format("; the pen moves {} between them{}",
+                                                way_in_words(drawn.preflight->pen_up_m), saved)
+                                  : "",
                    millimetres_in_words(drawn.preflight->nearest_mm));
     else
         fmt::print(stderr, "{}\n", dots);
+    if (!prints_advice(options)) return;
     if (drawn.plotting && drawn.dots > 0) {
         const std::size_t changes = drawn.by_pen.empty() ? 0 : drawn.by_pen.size() - 1;
         const std::string pauses =

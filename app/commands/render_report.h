@@ -39,12 +39,14 @@ struct Rendered : DrawingFigures {
     double radius_mm = 0;
     DotOrder order = DotOrder::recursion;
     std::optional<double> curve_way_m = {};  // of the pen, before it was shortened
-    bool mostly_black = false;               // light ink would draw the picture better
     Palette pens = {};                       // several
     RenderTimes times = {};
 };
 
-/// What someone who is about to plot it should know, to standard error.
+/// Whether --advice, a machine or a format for machines asks for the time and the findings.
+bool prints_advice(const RenderOptions& options);
+
+/// A line about its file, to standard error; where advice is asked for, that too.
 void print_summary(const RenderOptions& options, const Rendered& drawn);
 
 /// A line for each kind of finding among several drawings, which `name` names: in how many of them, and what

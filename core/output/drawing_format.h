@@ -80,6 +80,10 @@ constexpr bool has_optional_paper(DrawingFormat format) {
 constexpr bool is_text(DrawingFormat format) {
     return traits_of(format).text;
 }
+/// For machines alone, where an SVG is for people too.
+constexpr bool is_for_machines(DrawingFormat format) {
+    return is_plotted(format) && !has_optional_paper(format);
+}
 /// Colours of the drawing's own: it is seen rather than plotted, or both.
 constexpr bool has_colours(DrawingFormat format) {
     return has_pixels(format) || has_optional_paper(format);

@@ -141,6 +141,13 @@ constexpr auto names_of(FindingKind) {
                  "background", "dwell", "no_time", "milliseconds", "serial", "uncounted");
 }
 
+/// Whether it is about plotters, lasers and their programs, rather than about what is seen.
+constexpr bool is_about_machines(FindingKind kind) {
+    using enum FindingKind;
+    return kind >= tile_layer || kind == hours || kind == rings || kind == overlap || kind == few ||
+           kind == joined || kind == too_large;
+}
+
 struct Finding {
     FindingKind kind{};
     std::string text, cure;  // each a sentence without its full stop

@@ -47,10 +47,10 @@ void Canvas::learn(double last_frame) {
     budget_.learn(last_frame, std::exchange(budgeted_, 0));
 }
 
-void Canvas::upload() {
+void Canvas::upload(double seconds) {
     if (!uploading_) return;
     uploading_ = false;
-    for (Renderer& renderer : renderers_) uploading_ |= !renderer.upload(kUploadSeconds / 2);
+    for (Renderer& renderer : renderers_) uploading_ |= !renderer.upload(seconds / 2);
     if (!uploading_) drawn_camera_.reset();
 }
 
@@ -154,7 +154,8 @@ Rectangle<int> Canvas::show(const CanvasPlace& place, SplitLook look, Redraw red
         side.sheet = sheet_;
     }
     if (redraw == Redraw::later) return {{0, 0}, {0, 0}};
-    upload();
+    // A person who asks for the photograph sees it at once.
+    upload(look.sides[0].dots ? kUploadSeconds : double{INFINITY});
     if (redraw == Redraw::always || drawn_camera_ != camera_ || drawn_look_ != look) {
         const bool keeps_desk = desk_camera_ == camera_ && have_same_desk(drawn_look_, look);
         drawn_camera_ = desk_camera_ = camera_;

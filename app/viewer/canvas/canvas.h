@@ -87,7 +87,7 @@ class Canvas {
 
     Camera fitted_to_sheet(glm::dvec2 canvas) const;
     Columns columns_of(Side side, glm::ivec2 pixels) const;
-    void upload();
+    void upload(double seconds);
     void draw_quickly(glm::ivec2 pixels, Desk desk);
     void go_on(glm::ivec2 pixels);
 

@@ -71,4 +71,11 @@ std::optional<fs::path> ask_desktop(const OpenQuestion& question, const std::sto
     return path;
 }
 
+void show_in_folder(const fs::path& file) {
+    std::error_code ignored;
+    output_of({"sh", "-c", "xdg-open \"$1\" >/dev/null 2>&1 &", "sh",
+               fs::absolute(file, ignored).parent_path().string()},
+              {});
+}
+
 }  // namespace dapple

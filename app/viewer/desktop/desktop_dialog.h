@@ -23,4 +23,7 @@ struct OpenQuestion {
 /// sentence if the dialog cannot be shown.
 std::optional<std::filesystem::path> ask_desktop(const OpenQuestion& question, const std::stop_token& stop);
 
+/// Has the desktop show the folder that a file is in, by xdg-open, and does not wait for it.
+void show_in_folder(const std::filesystem::path& file);
+
 }  // namespace dapple

@@ -1,7 +1,9 @@
 #include "app/viewer/model/crop_percent.h"
 
 #include <algorithm>
+#include <array>
 #include <glm/common.hpp>
+#include <numbers>
 
 namespace dapple {
 
@@ -24,17 +26,11 @@ double percent_proportion(CropProportion proportion, const Rectangle<double>& bo
     const glm::dvec2 pixels(glm::max(picture, 1));
     const double percent = pixels.y / pixels.x;
     const glm::dvec2 side = (box.high - box.low) * pixels;
-    switch (proportion) {
-        case CropProportion::free:
-            return 0;
-        case CropProportion::page:
-            return room.x / room.y * percent;
-        case CropProportion::square:
-            return percent;
-        case CropProportion::three_two:
-            return (side.x >= side.y ? 1.5 : 1 / 1.5) * percent;
-    }
-    return 0;
+    if (proportion == CropProportion::picture) return 1;
+    if (proportion == CropProportion::page) return room.x / room.y * percent;
+    constexpr std::array kLongToShort{0.0, 0.0, 1.0, 4.0 / 3, 1.5, 16.0 / 9, std::numbers::sqrt2};
+    const double longer = kLongToShort[static_cast<std::size_t>(proportion)];
+    return (side.x >= side.y || longer == 0 ? longer : 1 / longer) * percent;
 }
 
 Rectangle<double> in_proportion(Rectangle<double> box, double proportion, glm::ivec2 moved) {

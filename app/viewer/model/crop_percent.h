@@ -18,9 +18,9 @@ Rectangle<double> crop_percent(const std::optional<Crop>& crop, glm::ivec2 pictu
 std::optional<Crop> crop_of_percent(Rectangle<double> box);
 
 /// Proportions that a crop is kept to.
-enum class CropProportion { free, page, square, three_two };
+enum class CropProportion { free, picture, square, four_three, three_two, sixteen_nine, a_series, page };
 constexpr auto names_of(CropProportion) {
-    return names("free", "page", "1:1", "3:2");
+    return names("free", "picture", "1:1", "4:3", "3:2", "16:9", "A series", "page");
 }
 
 struct CropTool {
@@ -29,8 +29,8 @@ struct CropTool {
 };
 
 /// How wide a crop is to its height, in percent each, so that it has the proportion on a picture of so many
-/// pixels; 0: free. 3:2 lies as the box does. `room` is the page's within its margins, and turned with the
-/// picture.
+/// pixels; 0: free. 3:2 and its like lie as the box does. `room` is the page's within its margins, and turned
+/// with the picture.
 double percent_proportion(CropProportion proportion, const Rectangle<double>& box, glm::ivec2 picture,
                           glm::dvec2 room);
 

@@ -215,13 +215,13 @@ ExportInfo ExportEstimate::info(const Pane& pane, const ViewerSettings& settings
         drawn.page.width_mm = page.width_mm / sheets.columns + sheets.overlap_mm;
         drawn.page.height_mm = page.height_mm / sheets.rows + sheets.overlap_mm;
     }
-    if (drawn.machine) {
+    info_.page = page;
+    if (drawn.machine && drawing.settled()) {
         const GcodeProgram gcode = program_for(*drawn.machine, estimated);
         const PlottingEstimate plotting = estimated_plotting(estimated, order, gcode.program);
-        drawn.plotting = info_.plotting = plotting.time;
+        info_.plotting = drawn.plotting = plotting.time;
         drawn.gcode = gcode_facts(gcode, plotting.segments, plotting.time.drawing_s);
         info_.way_m = plotting.way_m;
-        if (order == DotOrder::shortest) info_.way_before_m = plotting.way_before_m;
     }
     if (settings.drawing.style == DrawingStyle::line)
         drawn.longest_link_mm = longest_line(drawing.strokes) * page.mm_per_page_unit;
@@ -250,7 +250,7 @@ Preflight ExportEstimate::measured(const Pane& pane, const InkedDot& ink) {
 
 std::optional<PlottingTime> PlottingClock::time(const Pane& pane, const ViewerSettings& settings) {
     const PlacedDrawing& drawing = pane.page();
-    if (!drawing.settled() || drawing.dots.size() == 0) return time_;
+    if (!drawing.settled() || drawing.dots.size() == 0) return std::nullopt;
     const DrawingFormat format = DrawingFormat::svg;
     EstimateKey key{pane.placings(), format, settings.drawing, settings.saving};
     if (key_ == key) return time_;

@@ -31,11 +31,11 @@ PlottingEstimate estimated_plotting(const DrawingToSave& drawing, DotOrder order
 /// What saving would write.
 struct ExportInfo {
     std::uint64_t dots = 0;
-    std::optional<double> bytes = {};         // about; none if it is not known
-    std::string trouble = {};                 // why it cannot be written; empty: it can
-    PlottingTime plotting = {};               // about, of the machine chosen
-    double way_m = 0;                         // of the pen, about,
-    std::optional<double> way_before_m = {};  // and before it is shortened, if it is
+    std::optional<double> bytes = {};           // about; none if it is not known
+    std::string trouble = {};                   // why it cannot be written; empty: it can
+    PageSize page = {};                         // that is written; 0: not known
+    std::optional<PlottingTime> plotting = {};  // about, once all is relaxed, of the machine chosen
+    double way_m = 0;                           // of the pen, about
     std::vector<Finding> findings = {};
 };
 
@@ -63,8 +63,7 @@ class ExportEstimate {
     Preflight measured_;
 };
 
-/// How long the drawing on the page takes to plot, for the line below the canvas. Found anew when the
-/// drawing has settled; until then it is the last one's.
+/// How long the drawing on the page takes to plot, for the line below the canvas; none until it is relaxed.
 class PlottingClock {
  public:
     std::optional<PlottingTime> time(const Pane& pane, const ViewerSettings& settings);

@@ -12,6 +12,7 @@
 #include "core/settings/fields.h"
 #include "core/text/shown_text.h"
 #include "io/files/atomic_file.h"
+#include "io/files/child_output.h"
 #include "io/files/picture.h"
 #include "io/files/save_drawing.h"
 #include "io/files/separations.h"
@@ -179,6 +180,7 @@ DotsRequest Session::as_shown(DotsRequest request) const {
         request.drawing.page.crop.reset();
         request.drawing.page.fit = PageFit::inside;
     }
+    if (as_placed) request.drawing.relax = 0;
     request.settled_only = settings.every_frame;
     return request;
 }
@@ -452,6 +454,12 @@ void Session::request_dots(const Zoom& zoom, bool held) {
 
 void Session::stop_placing() {
     if (!placed_settings_) return;
+    if (*placed_settings_ == settings) {  // its dots are there, and relax
+        settings.drawing.relax = pane_.page().steps;
+        placed_settings_ = settings;
+        banner = {BannerKind::notice, "Relaxing stopped. Move Relax for more steps"};
+        return;
+    }
     settings = *placed_settings_;
     banner = {BannerKind::notice, "Cancelled. The previous drawing is back"};
 }
@@ -533,7 +541,8 @@ void Session::take(DrawingSaved& event) {
             words = fmt::format("{} to {}", saved_files_.front().string(),
                                 saved_files_.back().filename().string());
     }
-    banner = {BannerKind::notice, "Saved " + words};
+    banner = {.message = "Saved " + words,
+              .offer = event.path != film_path_ && is_in_path("xdg-open") ? kShowInFolder : ""};
 }
 
 void Session::take(SavingCancelled& event) {

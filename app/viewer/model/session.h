@@ -122,7 +122,7 @@ class Session {
     /// Gives up the reading of a picture: the one before stays, or what there is of a first look.
     void stop_opening() { pane_.worker().stop_opening(); }
 
-    /// Gives up a placing under way: the settings are again those of the drawing that is shown.
+    /// Gives up the work under way: the settings are again the shown drawing's, with the steps it has so far.
     void stop_placing();
 
     /// Remembers the settings for undo, unless they are still being edited. To open a picture is one step,
@@ -139,6 +139,7 @@ class Session {
     ViewerSettings settings;  // the panels edit them
     // Tools, and so neither saved nor undone.
     CropTool cropping;
+    bool as_placed = false;  // the dots are shown before they relax, for the method
     /// The page's room within its margins, as wide and high as the picture was opened.
     glm::dvec2 room_for_crop() const;
     MaskBrush brush;

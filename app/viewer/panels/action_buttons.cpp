@@ -161,7 +161,7 @@ void draw_canvas_menu(glm::vec2 corner, glm::vec2 size, const std::function<void
     if (const std::optional<Action> chosen = draw_menu("canvas menu", kCanvasMenu)) act(*chosen);
 }
 
-void draw_canvas_tools(glm::vec2 corner, Column column, const std::function<void(Action)>& act) {
+bool draw_canvas_tools(glm::vec2 corner, Column column, const std::function<void(Action)>& act) {
     constexpr std::pair<Action, Column> kTools[] = {
         {Action::crop, Column::crop}, {Action::mask, Column::mask}, {Action::rotate, Column::drawing}};
     const float air = 10 * ImGui::GetTextLineHeight() / 15;
@@ -181,8 +181,14 @@ void draw_canvas_tools(glm::vec2 corner, Column column, const std::function<void
         note_place(tool.label);
         tip(with_keys(tool.tip, action).c_str());
     }
+    ImGui::SameLine();
+    ImGui::Button("Compare");
+    const bool held = ImGui::IsItemActive();
+    note_place("Hold to compare");
+    tip("Hold to see the photograph.   C");
     ImGui::End();
     ImGui::PopStyleVar();
+    return held;
 }
 
 void draw_action_buttons(bool has_project, const std::function<void(Action)>& act) {

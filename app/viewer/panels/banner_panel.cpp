@@ -16,7 +16,7 @@ constexpr float kStays = 6, kFades = 0.7f;  // seconds
 constexpr float kRoomBesideButton = 200;    // at 96 dpi: with less for the message the button is below it
 
 bool stays(const Banner& banner) {
-    return banner.kind == BannerKind::error || !banner.offer.empty();
+    return banner.kind == BannerKind::error || !(banner.offer.empty() || banner.offer == kShowInFolder);
 }
 
 // Counts from the first frame that shows it: the one before may lie long back.

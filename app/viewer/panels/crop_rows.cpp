@@ -6,14 +6,6 @@
 #include "app/viewer/widgets/widgets.h"
 
 namespace dapple {
-namespace {
-
-// One side, away from the edge that it belongs to.
-bool side_row(const char* label, double& percent, double edge, const char* tip) {
-    return slider_row(label, percent, {.max = 100, .neutral = edge, .format = "%.1f", .tip = tip});
-}
-
-}  // namespace
 
 bool draw_crop_rows(PageSetup& setup, CropTool& tool, glm::ivec2 picture, glm::dvec2 room) {
     if (!section("Crop")) {
@@ -23,21 +15,23 @@ bool draw_crop_rows(PageSetup& setup, CropTool& tool, glm::ivec2 picture, glm::d
     std::optional<Crop>& crop = setup.crop;
     Rectangle<double> box = crop_percent(crop, picture);
     bool changed = false;
-    if (segmented_row("Proportions", tool.proportion, names_of(tool.proportion),
-                      "Proportions that the frame keeps while dragged. page: the paper within its margins. "
-                      "3:2: upright if the frame is.")) {
+    if (choice_row("Proportions", tool.proportion, names_of(tool.proportion),
+                   "Proportions that the frame keeps while dragged. page: the paper within its margins. "
+                   "Others are upright if the frame is.")) {
         box = in_proportion(box, percent_proportion(tool.proportion, box, picture, room));
         changed = tool.proportion != CropProportion::free;
     }
     switch_row("Crop frame", tool.on,
                "Shows the whole picture with a frame around what is drawn: drag the frame, its edges or its "
                "corners.");
-    changed |= side_row("From left, %", box.low.x, 0, "In percent of the picture's width, before rotation.");
-    changed |= side_row("From top, %", box.low.y, 0, "In percent of the picture's height, before rotation.");
-    changed |=
-        side_row("To right, %", box.high.x, 100, "In percent of the picture's width, before rotation.");
-    changed |=
-        side_row("To bottom, %", box.high.y, 100, "In percent of the picture's height, before rotation.");
+    constexpr std::array kSides{"From left, %", "From top, %", "To right, %", "To bottom, %"};
+    for (int i = 0; i < 4; ++i)
+        changed |= slider_row(kSides[static_cast<std::size_t>(i)], (i < 2 ? box.low : box.high)[i % 2],
+                              {.max = 100,
+                               .neutral = i < 2 ? 0.0 : 100.0,
+                               .format = "%.1f",
+                               .tip = i % 2 == 0 ? "In percent of the picture's width, before rotation."
+                                                 : "In percent of the picture's height, before rotation."});
     if (changed) crop = crop_of_percent(box);
     changed |= segmented_row("Rotate", setup.quarter_turns, std::array{"0", "90", "180", "270"},
                              "Rotates the picture on the page, in degrees clockwise.");

@@ -45,7 +45,6 @@ bool draw_scale(double& scale, const PageSize& page, const std::optional<double>
 
 // `follows`: how many there are follows from their sizes, which are chosen below.
 bool draw_amount(PlacingRequest& request, const DrawnInfo& drawn, bool follows, LengthUnit unit) {
-    const Greyed greyed(follows ? "With sizes by tone, the count is calculated." : nullptr);
     const auto most = static_cast<double>(drawn.most_dots);
     if (!request.count) {
         // Dots are in proportion to the scale.
@@ -159,20 +158,22 @@ bool draw_relax(std::optional<int>& relax, const DrawnInfo& drawn) {
 
 }  // namespace
 
+bool draw_amount_rows(DrawingSettings& settings, const DrawnInfo& drawn, LengthUnit unit) {
+    const bool follows = settings.dot_size.sizing == DotSizing::by_tone;
+    const Greyed greyed(follows ? "With sizes by tone, the count is calculated." : nullptr);
+    const bool changed = draw_amount(settings.placing, drawn, follows, unit);
+    return draw_amount_by(settings.placing, drawn) || changed;
+}
+
 bool draw_dots_panel(DrawingSettings& settings, const DrawnInfo& drawn, LengthUnit unit) {
     if (!section("Drawing")) return false;
-    const bool follows = settings.dot_size.sizing == DotSizing::by_tone;
-    bool changed = draw_amount(settings.placing, drawn, follows, unit);
+    bool changed = draw_amount_rows(settings, drawn, unit);
     changed |= draw_size(settings.dot_size, drawn, unit);
     changed |= draw_strokes(settings, unit);
     changed |= slider_row(setting::contours, settings.contours);
     changed |= slider_row(setting::solid, settings.solid);
-    {
-        const Absent absent(why_only_exact(settings.placer));
-        changed |= draw_relax(settings.relax, drawn);
-    }
-    const Absent absent(follows ? "Does not apply to dots sized by tone." : nullptr);
-    return draw_amount_by(settings.placing, drawn) || changed;
+    const Absent absent(why_only_exact(settings.placer));
+    return draw_relax(settings.relax, drawn) || changed;
 }
 
 }  // namespace dapple

@@ -7,11 +7,13 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <system_error>
 
 #include "app/viewer/widgets/row.h"
 #include "app/viewer/widgets/widgets.h"
+#include "core/output/raster.h"
 #include "core/text/shown_text.h"
 #include "io/files/text_file.h"
 
@@ -106,24 +108,24 @@ bool draw_gcode(SavingChoice& saving) {
 }
 
 bool draw_machine(SavingChoice& saving, DrawingFormat format, const ExportInfo& info) {
-    // As Machine has them.
-    Machine machine = saving.machine.value_or(usual_machine(format, saving.tool));
-    const bool changed =
-        choice_row("Machine", machine,
-                   std::array{"AxiDraw V3", "AxiDraw SE/A3", "iDraw", "GRBL pen plotter", "GRBL laser"},
-                   "Used for the time estimate below; the file is the same for all.");
-    if (changed) saving.machine = machine;
-    if (info.dots == 0) return changed;
-    hint(fmt::format("Plotting takes {}, {}.", time_in_words(info.plotting.total_s()),
-                     what_takes_longest(info.plotting))
-             .c_str());
+    // As Machine has them, after none.
+    constexpr std::array kMachines{"none",  "AxiDraw V3",       "AxiDraw SE/A3",
+                                   "iDraw", "GRBL pen plotter", "GRBL laser"};
+    const bool needs_one = is_for_machines(format);
+    std::optional<Machine> machine = saving.machine;
+    if (needs_one && !machine) machine = usual_machine(format, saving.tool);
+    int chosen = machine ? static_cast<int>(*machine) + !needs_one : 0;
+    const bool changed = choice_row("Machine", chosen, std::span(kMachines).subspan(needs_one ? 1 : 0),
+                                    "Used for the time and the advice below; the file is the same for all.");
+    if (changed) saving.machine = static_cast<Machine>(chosen - !needs_one);
+    if (changed && !needs_one && chosen == 0) saving.machine.reset();
+    if (info.dots == 0 || !machine) return changed;
+    hint(info.plotting ? fmt::format("Plotting takes {}, {}; pen travel {:.1f} m.",
+                                     time_in_words(info.plotting->total_s()),
+                                     what_takes_longest(*info.plotting), info.way_m)
+                             .c_str()
+                       : "Plotting takes \u2026");
     note_place("Plotting time");
-    if (info.way_m <= 0) return changed;
-    hint(info.way_before_m
-             ? fmt::format("Pen travel: {:.1f} m ({:.1f} m unoptimised)", info.way_m, *info.way_before_m)
-                   .c_str()
-             : fmt::format("Pen travel: {:.1f} m", info.way_m).c_str());
-    note_place("Pen travel");
     return changed;
 }
 
@@ -193,7 +195,12 @@ std::optional<Cure> cure_of(const Finding& finding, const DrawingSettings& drawi
     return std::nullopt;
 }
 
-bool draw_findings(const std::vector<Finding>& findings, ViewerSettings& settings) {
+// Folded, and those about machines only where one was asked for.
+bool draw_findings(std::vector<Finding> findings, ViewerSettings& settings, DrawingFormat format) {
+    if (!settings.saving.machine && !is_for_machines(format))
+        std::erase_if(findings, [](const Finding& finding) { return is_about_machines(finding.kind); });
+    const std::string shown = fmt::format("Plotting advice ({})", findings.size());
+    if (findings.empty() || !subsection("Plotting advice", false, shown.c_str())) return false;
     bool changed = false;
     for (const Finding& finding : findings) {
         // The time is shown above, with its machine.
@@ -209,6 +216,19 @@ bool draw_findings(const std::vector<Finding>& findings, ViewerSettings& setting
         note_place(cure->label.c_str());
     }
     return changed;
+}
+
+// "2480 x 3508 pixels, 210 x 297 mm, about 24 MB, 400,000 dots".
+std::string file_in_words(const ViewerSettings& settings, DrawingFormat format, const ExportInfo& info) {
+    if (!info.trouble.empty()) return "Cannot be written; see below.";
+    const Sheet& sheets = settings.drawing.sheets;
+    if (is_several(sheets))
+        return fmt::format("{} x {} sheets and a plan, a file each: {}", sheets.columns, sheets.rows,
+                           size_in_words(info));
+    const std::string words = paper_in_words(info.page, settings.unit) + ", " + size_in_words(info);
+    if (!has_pixels(format)) return words;
+    const RasterSize size = raster_size(info.page, settings.saving.dpi);
+    return fmt::format("{} x {} pixels, {}", size.width, size.height, words);
 }
 
 // That only a part of the page is saved, which the settings that were opened say.
@@ -232,6 +252,8 @@ std::string size_in_words(const ExportInfo& info) {
 
 bool draw_export_panel(ViewerSettings& settings, DrawingFormat format, const ExportInfo& info) {
     bool changed = false;
+    hint(file_in_words(settings, format, info).c_str());
+    note_place("File size");
     const char* const why_one =
         settings.drawing.pens.set == PenSet::one ? "Applies to several pens only." : nullptr;
     if (has_pixels(format)) {
@@ -255,18 +277,13 @@ bool draw_export_panel(ViewerSettings& settings, DrawingFormat format, const Exp
         changed |= switch_row(format == DrawingFormat::svg ? "Paper in SVG" : "Paper in PDF",
                               settings.drawing.background,
                               "Paints the paper's colour under the dots; a plotter needs none.");
-    const Sheet& sheets = settings.drawing.sheets;
-    if (settings.saving.region && !is_several(sheets)) changed |= draw_region(settings.saving.region);
+    if (settings.saving.region && !is_several(settings.drawing.sheets))
+        changed |= draw_region(settings.saving.region);
     if (!info.trouble.empty()) {
         hint(info.trouble.c_str());
         return changed;
     }
-    hint(is_several(sheets) ? fmt::format("{} x {} sheets and a plan, a file each: {}.", sheets.columns,
-                                          sheets.rows, size_in_words(info))
-                                  .c_str()
-                            : size_in_words(info).c_str());
-    note_place("File size");
-    changed |= draw_findings(info.findings, settings);
+    changed |= draw_findings(info.findings, settings, format);
     if (settings.drawing.show_tiles && format != DrawingFormat::svg)
         hint("The tile boundaries are not saved: only SVG has layers.");
     return changed;

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "app/viewer/widgets/row.h"
 #include "app/viewer/widgets/theme.h"
 #include "app/viewer/widgets/widgets.h"
 
@@ -157,6 +158,9 @@ bool draw_histogram(const Histogram& histogram, Tone& tone) {
     for (int i = 0; i < 3; ++i) {
         draw_handle(frame, drawn[i], i == hot, kFills[i]);
         note_handle(frame, i, drawn[i]);
+        tip("Black point, middle and white point: drag, or use the arrows.");
+        if (const RowKeys keys = item_keys(kNames[i]); keys.step != 0)
+            move_handle(i, drawn[i] + 0.01f * static_cast<float>(keys.step), tone);
     }
     ImGui::PopID();
     go_on_at({start.x, start.y + (kHeight + kFoot) * unit + ImGui::GetStyle().ItemSpacing.y});

@@ -91,6 +91,25 @@ void draw_film_buttons(std::span<const Action> films, const std::function<void(A
     }
 }
 
+void draw_steps(ViewerSettings& settings) {
+    enum { tile, copies, ranks, period, cure };
+    int step = -1;  // it says what to show, not what is shown
+    if (!segmented_row("Steps", step, std::array{"tile", "copies", "ranks", "period", "cure"},
+                       "tile: one over the whole page. copies: each divides into four, by level. ranks: in "
+                       "which order a tile's dots appear. period: a tile that repeats, under the loupe. "
+                       "cure: one that never does."))
+        return;
+    settings.drawing.placer = PlacerKind::exact;
+    if (step >= period) settings.drawing.tile = step == period ? "paper16" : kDefaultTile;
+    settings.drawing.show_tiles = step < period;
+    settings.loupe.on = step >= period;
+    settings.density.source = step < period ? DensitySource::photograph : DensitySource::grey;
+    settings.deepest_level = step == tile ? 0 : kDeepestStep;
+    settings.colouring = step == copies  ? DotColouring::level
+                         : step == ranks ? DotColouring::rank
+                                         : DotColouring::ink;
+}
+
 bool draw_method_rows(ViewerSettings& settings, const TileList& tiles) {
     DrawingSettings& drawing = settings.drawing;
     hint(

@@ -31,6 +31,9 @@ bool tile_row(const char* label, std::string& tile, const TileList& list, const 
 // "The method", which takes the column's place: which tile the dots come from and how they are taken out of
 // it, for whoever wants to know. The usual choices are good ones.
 
+/// Five steps through the method, a click each: a tile, its copies, ranks, its period, what cures that.
+void draw_steps(ViewerSettings& settings);
+
 /// True while something changes.
 bool draw_method_rows(ViewerSettings& settings, const TileList& tiles);
 

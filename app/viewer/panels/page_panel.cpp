@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -45,7 +47,9 @@ bool draw_sides(PageSetup& setup, const PageSize& drawn, LengthUnit unit) {
         if (setup.paper == Paper::as_picture) setup.height_mm.reset();
         changed = true;
     }
-    if (slider_row(setting::height, height, {.unit = unit})) {
+    // What follows from the width is the default.
+    if (slider_row(setting::height, height,
+                   {.usual = setup.height_mm ? std::nullopt : std::optional(height), .unit = unit})) {
         setup.height_mm = height;
         changed = true;
     }
@@ -72,7 +76,7 @@ class MarginRows {
  public:
     MarginRows(std::optional<Margins>& margins, const PageLayout& drawn, LengthUnit unit)
         : margins_(margins),
-          usual_(drawn.reach_mm),
+          usual_(std::ceil(drawn.reach_mm * 20 - 1e-9) / 20),  // does not drift with the number of dots
           shown_(margins.value_or(on_all_sides(usual_))),
           shorter_(std::min(drawn.page.width_mm, drawn.page.height_mm)),
           unit_(unit) {}

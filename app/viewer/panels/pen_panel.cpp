@@ -19,8 +19,11 @@ SliderRange length_range(double max, double hard_max, LengthUnit unit, const cha
     return {.max = max, .hard_max = hard_max, .typed = TypedKind::length, .unit = unit, .tip = tip};
 }
 
-SliderRange width_range(LengthUnit unit) {
-    return length_range(1.5, kWidestPenMm, unit, "Width of the pen's line; 0: as wide as the dots.");
+SliderRange width_range(LengthUnit unit, double width_mm) {
+    SliderRange range =
+        length_range(1.5, kWidestPenMm, unit, "Width of the pen's line; 0: as wide as the dots.");
+    if (width_mm == 0) range.format = "auto";
+    return range;
 }
 
 SliderRange gain_range(LengthUnit unit) {
@@ -115,7 +118,7 @@ bool draw_tips(PenChoice& pens, LengthUnit unit) {
                                  : chooses_from_own(pens) ? "Each pen of the palette has its own width."
                                                           : nullptr;
     const Absent absent(no_width);
-    const bool changed = slider_row("Tip width", pens.width_mm, width_range(unit));
+    const bool changed = slider_row("Tip width", pens.width_mm, width_range(unit, pens.width_mm));
     const Absent no_gain(pens.width_mm > 0 ? nullptr : "Give the pens a width first.");
     return slider_row("Dot gain", pens.gain_mm, gain_range(unit)) || changed;
 }
@@ -158,7 +161,7 @@ bool draw_own_pen(const PenChoice& choice, Palette& pens, std::size_t place, Len
                             "Up to 40 plain letters, digits, spaces and - _ . ( ), and no other pen's name",
                             "The pen's name, which is its layer's in the file.");
     changed |= colour_row(("Colour" + number).c_str(), pen.colour, "The pen's colour on paper.");
-    changed |= slider_row(("Width" + number).c_str(), pen.width_mm, width_range(unit));
+    changed |= slider_row(("Width" + number).c_str(), pen.width_mm, width_range(unit, pen.width_mm));
     {
         const Absent absent(pen.width_mm > 0 ? nullptr : "Give the pen a width first.");
         changed |= slider_row(
@@ -229,7 +232,7 @@ void draw_pen_alone(std::span<const Pen> drawn, ShownPens& shown) {
         shown.only = chosen == 0 ? "" : drawn[static_cast<std::size_t>(chosen - 1)].name;
 }
 
-// A row for each pen that drew what is seen.
+// A row for each pen.
 void draw_pen_faces(const PensSeen& seen) {
     if (!seen.shown) return;
     ShownPens& shown = *seen.shown;
@@ -260,7 +263,6 @@ bool draw_more(DrawingSettings& settings, LengthUnit unit, const PensSeen& seen)
     changed |= draw_black_ink(pens);
     changed |= switch_row(setting::registration, settings.registration);
     if (seen.shown) draw_pen_alone(seen.drawn, *seen.shown);
-    changed |= draw_adding(settings.pens);
     if (settings.pens.set == PenSet::own) changed |= draw_own_pens(settings.pens, unit);
     return changed;
 }
@@ -284,8 +286,15 @@ bool draw_pen_panel(DrawingSettings& settings, LengthUnit unit, const PensSeen& 
         if (kept.row)
             changed |= kept.row->draw(settings.pens, pens_to_keep(settings.pens, seen), *kept.banner);
     }
-    draw_pen_faces(seen);
-    return draw_more(settings, unit, seen) || changed;
+    changed |= draw_adding(settings.pens);
+    // By the settings: the rows stay while others are computed.
+    PensSeen rows = seen;
+    Palette pens = pens_to_keep(settings.pens, seen);
+    sort_pens(pens, settings.pens.order);
+    if (!std::ranges::equal(pens, seen.drawn, {}, &Pen::name, &Pen::name)) rows.dots = {};
+    rows.drawn = pens;
+    draw_pen_faces(rows);
+    return draw_more(settings, unit, rows) || changed;
 }
 
 }  // namespace dapple

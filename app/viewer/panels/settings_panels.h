@@ -59,6 +59,9 @@ class PresetRow {
 /// True while something changes.
 bool draw_dots_panel(DrawingSettings& settings, const DrawnInfo& drawn, LengthUnit unit = LengthUnit::mm);
 
+/// Its rows that say how many dots there are, for the method's column. True while something changes.
+bool draw_amount_rows(DrawingSettings& settings, const DrawnInfo& drawn, LengthUnit unit);
+
 // The section "Tone": how dark the drawing is where the picture is.
 
 /// What the picture and its drawing came to.

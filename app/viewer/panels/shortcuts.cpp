@@ -103,7 +103,7 @@ constexpr Entry kEntries[] = {
     {In::drawing, {Action::toggle_panels, "Ctrl+B", "Hide or show the panels"}},
     {In::map, {Action::toggle_panels, "Ctrl+B", "Hide or show the panel"}},
     {In::both, {Action::full_screen, "F11", "Full screen", "Full screen"}},
-    {In::both, {Action::palette, "Ctrl+P", "Search all commands", "All commands..."}},
+    {In::both, {Action::palette, "Ctrl+K, Ctrl+P", "Search all commands", "All commands..."}},
     {In::both, {Action::preferences, "Ctrl+,", "Preferences: theme and text size", "Preferences..."}},
     {In::both, {Action::about, "", "About Dapple: version and licences", "About Dapple"}},
     {In::both, {Action::help, "?, F1", "Keyboard shortcuts", "Keys"}},
@@ -138,7 +138,7 @@ constexpr NamedKey kKeys[] = {
     {"P", Key::p},       {"Q", Key::q},       {"S", Key::s},         {"T", Key::t},         {"V", Key::v},
     {"Y", Key::y},       {"Z", Key::z},       {"0", Key::zero},      {",", Key::comma},     {"Up", Key::up},
     {"Down", Key::down}, {"Left", Key::left}, {"Right", Key::right}, {"Space", Key::space}, {"F1", Key::f1},
-    {"F11", Key::f11},
+    {"F11", Key::f11},   {"K", Key::k},
 };
 
 bool is_arrow(Key key) {

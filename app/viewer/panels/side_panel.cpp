@@ -70,6 +70,9 @@ void draw_crop(Session& session) {
 }
 
 void draw_method(Session& session, const std::function<void(Action)>& act) {
+    draw_steps(session.settings);
+    hint("While this column is open dots stay where they were placed: nothing relaxes.");
+    draw_amount_rows(session.settings.drawing, session.drawn(), session.settings.unit);
     constexpr Action kFilms[] = {Action::film_growth, Action::film_levels, Action::film_zoom};
     draw_film_buttons(kFilms, act);
     draw_method_rows(session.settings, {session.tiles(), [&act] { act(Action::open_tile); }});
@@ -94,6 +97,7 @@ void SidePanel::turn_to(Column column, Session& session) {
     column_ = column == column_ ? Column::drawing : column;
     session.cropping.on = column_ == Column::crop;
     session.brush.on = column_ == Column::mask;
+    session.as_placed = column_ == Column::method;
 }
 
 // What is asked for by a list of all rows may be in another column.

@@ -10,6 +10,7 @@
 #include "app/viewer/background/small_pictures.h"
 #include "app/viewer/canvas/page_frame.h"
 #include "app/viewer/canvas/pane_view.h"
+#include "app/viewer/desktop/desktop_dialog.h"
 #include "app/viewer/desktop/pasted_picture.h"
 #include "app/viewer/panels/settings_panels.h"
 #include "app/viewer/panels/window_panels.h"
@@ -352,7 +353,7 @@ DrawingDocument::Layout DrawingDocument::layout(const Frame& frame) const {
 void DrawingDocument::draw(const Frame& frame) {
     frame_rate_.frame(FrameRate::Clock::now());
     if (!ImGui::GetIO().WantCaptureKeyboard && escape_pressed()) stop_what_takes_long();
-    compared_.hold(comparison_held());
+    compared_.hold(std::exchange(compare_pressed_, false) ? SeenInstead::photograph : comparison_held());
     session_.take_events(std::chrono::milliseconds(0));
     compared_.take_events();
     take_mask();
@@ -403,7 +404,7 @@ void DrawingDocument::draw(const Frame& frame) {
     if (variations_ && session_.placed_once() && !session_.film)
         choose_variation(place);
     else if (panels && !session_.film)
-        draw_canvas_tools(place.corner, side_panel_.column(), frame.act);
+        compare_pressed_ = draw_canvas_tools(place.corner, side_panel_.column(), frame.act);
     const Redraw redraw = frame.window.frame_is_unseen()  ? Redraw::later
                           : session_.settings.every_frame ? Redraw::always
                                                           : Redraw::when_changed;
@@ -440,10 +441,16 @@ Zoom DrawingDocument::zoom() const {
 
 void DrawingDocument::draw_over_canvas(const CanvasPlace& place, const std::function<void(Action)>& act) {
     const bool offer_taken = draw_banner(session_.banner, place.corner, place.size);
-    if (offer_taken && session_.picture_is_missing())
-        act(Action::find_picture);
-    else if (offer_taken)
-        show_lights();
+    try {
+        if (offer_taken && session_.banner.offer == kShowInFolder)
+            show_in_folder(session_.saved_path());
+        else if (offer_taken && session_.picture_is_missing())
+            act(Action::find_picture);
+        else if (offer_taken)
+            show_lights();
+    } catch (const std::exception& error) {
+        say(error.what());
+    }
     const Worker& worker = session_.pane().worker();
     if (const auto saving = worker.saving()) {
         if (draw_saving_banner(saving->path.filename().string(), saving->share, place.corner, place.size))
@@ -591,7 +598,9 @@ void DrawingDocument::measure_dots() {
     if (!session_.placed_once()) return;
     const Pane& pane = session_.pane();
     const auto plotting = plotting_clock_.time(pane, session_.settings);
-    plotting_ = plotting ? "plotting " + time_in_words(plotting->total_s()) : "";
+    plotting_ = plotting                ? "plotting " + time_in_words(plotting->total_s())
+                : pane.page().settled() ? ""
+                                        : "plotting \u2026";
     if (open_.spectrum)
         spectrum_.update(pane, canvas_.camera(), pane.tile_size());
     else

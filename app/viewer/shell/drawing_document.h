@@ -167,6 +167,7 @@ class DrawingDocument : public Document {
     std::array<SeenSide, 2> seen_;  // by the canvas
     int pictures_fitted_ = 0;
     bool variations_ = false;  // in the canvas's place
+    bool compare_pressed_ = false;
     std::unique_ptr<Document> successor_;
 };
 

@@ -230,7 +230,9 @@ bool FileDialog::draw_buttons(const std::string& refusal, bool escape) {
     bool accepted = false;
     {
         const Greyed greyed(refusal.empty() ? nullptr : refusal.c_str());
+        ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
         accepted = key_button(asks ? "Replace" : question_.button);
+        ImGui::PopStyleColor();
         note_place(asks ? "Replace" : "Accept");
     }
     ImGui::SameLine();

@@ -26,6 +26,7 @@ enum class Key : int {
     e = DAPPLE_KEY(E, E),
     f = DAPPLE_KEY(F, F),
     i = DAPPLE_KEY(I, I),
+    k = DAPPLE_KEY(K, K),
     l = DAPPLE_KEY(L, L),
     m = DAPPLE_KEY(M, M),
     o = DAPPLE_KEY(O, O),

@@ -40,8 +40,9 @@ void draw_track(ImVec2 min, ImVec2 max, double position, double neutral, bool ho
     auto x_of = [&](double t) { return left + (right - left) * static_cast<float>(t); };
     float x = x_of(position), from = x_of(neutral);
     list->AddRectFilled({left - knob, middle - half}, {right + knob, middle + half},
-                        colour_of(ThemeColour::track), half);
-    list->AddRectFilled({std::min(x, from), middle - half}, {std::max(x, from), middle + half},
+                        colour_of(ThemeColour::off), half);
+    const float filled = 1.7f * half;
+    list->AddRectFilled({std::min(x, from), middle - filled}, {std::max(x, from), middle + filled},
                         colour_of(ThemeColour::accent), half);
     list->AddCircleFilled({x, middle}, hot ? knob * 1.15f : knob, colour_of(ThemeColour::accent), 24);
     list->AddCircleFilled({x, middle}, knob * 0.38f, colour_of(ThemeColour::panel), 16);

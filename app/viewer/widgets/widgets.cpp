@@ -97,7 +97,7 @@ bool switched(bool value, const RowKeys& keys, bool usual) {
 
 enum class FoldKind { section, within };
 
-bool fold(const char* title, bool open_at_first, FoldKind kind) {
+bool fold(const char* title, bool open_at_first, FoldKind kind, const char* shown = nullptr) {
     WidgetNotes* const told = widget_notes();
     if (told && told->listed) {
         told->sections.resize(kind == FoldKind::section ? 0
@@ -133,7 +133,7 @@ bool fold(const char* title, bool open_at_first, FoldKind kind) {
         push_title_font();
     }
     list->AddText({start.x, start.y + (height - ImGui::GetTextLineHeight()) / 2 + unit},
-                  ImGui::GetColorU32(ImGuiCol_Text), title);
+                  ImGui::GetColorU32(ImGuiCol_Text), shown ? shown : title);
     if (kind == FoldKind::section) pop_title_font();
     float arm = 3.5f * unit, x = start.x + width - arm - unit, y = start.y + height / 2 + unit;
     float tip = open ? -arm / 2 : arm / 2;
@@ -317,8 +317,8 @@ bool section(const char* title, bool open_at_first) {
     return fold(title, open_at_first, FoldKind::section);
 }
 
-bool subsection(const char* title, bool open_at_first) {
-    return fold(title, open_at_first, FoldKind::within);
+bool subsection(const char* title, bool open_at_first, const char* shown) {
+    return fold(title, open_at_first, FoldKind::within, shown);
 }
 
 void tip(const char* text) {

@@ -270,8 +270,8 @@ bool wide_button(const char* label, const char* tip);
 /// A section's title with a line above; a click folds the section. Returns whether it is open.
 bool section(const char* title, bool open_at_first = true);
 
-/// The same within a section.
-bool subsection(const char* title, bool open_at_first = true);
+/// The same within a section; `shown` in place of the title, which is its name, where that changes.
+bool subsection(const char* title, bool open_at_first = true, const char* shown = nullptr);
 
 /// More about the item drawn last, while the mouse rests on it.
 void tip(const char* text);

@@ -203,7 +203,7 @@ TEST_CASE("dots of several sizes are filled by the pen in G-code and HPGL, but w
 TEST_CASE("a pen's width alone makes each dot of a plot a touch of it, and the tone is that of its touches") {
     const Scene scene;
     const auto finding = [&](const std::string& options) {
-        const Outcome outcome = run_dapple("render " + scene("cat.png") + kDrawing + options);
+        const Outcome outcome = run_dapple("render " + scene("cat.png") + kDrawing + options + " --advice");
         CAPTURE(outcome.err);
         REQUIRE(outcome.status == 0);
         return outcome.err.find("The drawing will look paler than the picture. ") != std::string::npos;
@@ -492,7 +492,8 @@ TEST_CASE("shapes and lines of several pens look alike in SVG, PDF and PNG, and 
     for (const std::string drawn : {"--style line", "--dot-shape ring", "--dot-shape point"}) {
         const std::string options =
             "render " + scene("cat.png") +
-            " --dots 900 --width 60 --pens 'Sand:#d0a040:0.8,Night:#102060:0.4:1.5' " + drawn + " -o ";
+            " --dots 900 --width 60 --pens 'Sand:#d0a040:0.8,Night:#102060:0.4:1.5' " + drawn +
+            " --advice -o ";
         for (const char* name : {"p.svg", "p.pdf"}) {
             const Outcome made =
                 run_dapple(options + scene(name) + " --registration --stats " + scene("p.json"));
@@ -681,8 +682,9 @@ TEST_CASE(
 TEST_CASE("one line goes through all dots, each once: in an SVG, in G-code, and as short as it is told") {
     const Scene scene;
     const std::string picture = scene("cat.png");
-    const Outcome told = run_dapple("render " + picture + " --dots 2000 --width 96 --style line --stats " +
-                                    scene("a.json") + " -o " + scene("a.svg"));
+    const Outcome told =
+        run_dapple("render " + picture + " --dots 2000 --width 96 --style line --advice --stats " +
+                   scene("a.json") + " -o " + scene("a.svg"));
     CAPTURE(told.err);
     REQUIRE(told.status == 0);
     CHECK(told.err.find("the pen draws 1 line of ") != std::string::npos);

@@ -91,7 +91,7 @@ TEST_CASE("dots that are sorted in memory are those that are written as they are
 TEST_CASE("on a terminal a bar shows how much is written, and then what a plotter will make of it") {
     const Scene scene;
     const std::string command = "\"$DAPPLE\" render " + scene("cat.png") + " -o " + scene("cat.svg") +
-                                " --dots 3000 --margin 0 --stats " + scene("cat.json");
+                                " --dots 3000 --margin 0 --advice --stats " + scene("cat.json");
     const Outcome outcome =
         run_in_shell("export ASAN_OPTIONS=detect_leaks=0; script -qec '" + command + "' /dev/null");
     REQUIRE(outcome.status == 0);
@@ -195,7 +195,7 @@ std::set<std::string> kinds_in(const nlohmann::json& stats) {
 TEST_CASE("overlap by the pen's width is told of every file that is plotted, and as the same figures") {
     const Scene scene;
     const std::string from = "render " + scene("cat.png") + " --dots 3000 --width 60 --stats " +
-                             scene("s.json") + " --pen-width 0.8 -o ";
+                             scene("s.json") + " --pen-width 0.8 --advice -o ";
     for (const std::string how : {"a.gcode", "a.hpgl", "a.svg --dot-shape point", "a.dxf --dot-shape cross",
                                   "a.gcode --dot-shape spiral", "a.svg --style line"}) {
         CAPTURE(how);
@@ -251,9 +251,9 @@ TEST_CASE("a picture of pixels is told about too, and a table's tone") {
 
 TEST_CASE("near dots, a pen's gap and the layer of tiles are told of a drawing with four pens") {
     const Scene scene;
-    const Outcome told =
-        run_dapple("render " + scene("cat.png") + " --dots 3000 --width 40 --tiles -o " + scene("a.svg") +
-                   " --pens 'Sky:#3aa0d8:0.3:3,Sand:#d0a040:0.3,Rose:#d06080:0.3,Night:#102060:0.3'");
+    const Outcome told = run_dapple(
+        "render " + scene("cat.png") + " --dots 3000 --width 40 --tiles --advice -o " + scene("a.svg") +
+        " --pens 'Sky:#3aa0d8:0.3:3,Sand:#d0a040:0.3,Rose:#d06080:0.3,Night:#102060:0.3'");
     CAPTURE(told.err);
     REQUIRE(told.status == 0);
     CHECK(told.err.find("; saxi would join them. Use ") != std::string::npos);
@@ -313,7 +313,7 @@ TEST_CASE("a large file's size is said before it is written") {
 TEST_CASE("of sheets and of many pictures the findings are told once for each kind, and all figures saved") {
     const Scene scene;
     const std::string stats = " --stats " + scene("s.json");
-    const Outcome sheets = run_dapple("render " + scene("cat.png") + " --dots 2000 --width 100 -o " +
+    const Outcome sheets = run_dapple("render " + scene("cat.png") + " --dots 2000 --width 100 --advice -o " +
                                       scene("m.svg") + " --sheets 2x1" + stats);
     CAPTURE(sheets.err);
     REQUIRE(sheets.status == 0);
@@ -327,7 +327,7 @@ TEST_CASE("of sheets and of many pictures the findings are told once for each ki
     run_in_shell("cp " + scene("cat.png") + " " + scene("dog.png"));
     put_text(scene("bad.jpg"), "no picture");
     const Outcome batch = run_dapple("render " + scene("cat.png") + " " + scene("bad.jpg") + " " +
-                                     scene("dog.png") + " --dots 900 -o " + scene("out/") + stats);
+                                     scene("dog.png") + " --dots 900 --advice -o " + scene("out/") + stats);
     CHECK(batch.status != 0);
     CHECK(batch.err.find("\n  cat.svg: A plotter would draw") != std::string::npos);
     all = read_json(scene("s.json"));

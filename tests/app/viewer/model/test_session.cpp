@@ -253,6 +253,33 @@ TEST_CASE("a placing that takes too long can be given up: drawing and settings a
     CHECK(session.pane().page().dots.size() == 1000);
 }
 
+TEST_CASE("a drawing that relaxes is kept with the steps that it has when its work is given up") {
+    Session session(DrawingSettings{}, [] {});
+    session.settings.drawing.placing.count = 200'000;
+    session.settings.drawing.relax = 100;
+    session.open_sample();
+    const Zoom zoom{.camera = fitted(kCanvas, {1, 1})};
+    const auto brings = [&](auto done) {
+        return wait_until([&] {
+            session.take_events(std::chrono::milliseconds(0));
+            session.request_dots(zoom);
+            return done();
+        });
+    };
+    REQUIRE(brings([&] { return session.placed_once(); }));
+    REQUIRE_FALSE(session.pane().page().settled());
+    session.stop_placing();
+    CHECK(session.settings.drawing.relax < 100);
+    CHECK(session.settings.drawing.placing.count == 200'000);
+    CHECK(
+        brings([&] { return session.pane().page().settled() && !session.pane().worker().placing_since(); }));
+    // The method shows dots where they were placed; the settings stay.
+    session.settings.drawing.relax = 3;
+    session.as_placed = true;
+    CHECK(brings([&] { return session.pane().page().settled() && session.pane().page().plan.steps == 0; }));
+    CHECK(session.settings.drawing.relax == 3);
+}
+
 TEST_CASE("what undo and redo would change is said in a word or two") {
     Session session({}, [] {});
     CHECK_FALSE(session.undo_words());

@@ -22,8 +22,10 @@ TEST_CASE("an export's resolution and order are set where it is asked for, for t
     info.findings = {{FindingKind::tone, "the drawing is paler than the picture", "more dots"},
                      {FindingKind::overlap, "40 % of the dots overlap others", "fewer dots"}};
     ui.frame();
+    CHECK_FALSE(ui.has("Finding tone"));  // folded
+    ui.click("Plotting advice");
     CHECK(ui.has("Finding tone"));
-    CHECK(ui.has("Finding overlap"));
+    CHECK_FALSE(ui.has("Finding overlap"));  // of plotters, none of which was asked for
     ui.click("as placed");
     CHECK(settings.saving.order == DotOrder::recursion);
     ui.click("short moves");
@@ -32,11 +34,15 @@ TEST_CASE("an export's resolution and order are set where it is asked for, for t
     CHECK(settings.saving.order == DotOrder::shortest);
     ui.click("by priority");
     CHECK(settings.saving.order == DotOrder::priority);
-    CHECK(ui.has("Machine"));
-    CHECK(ui.has("Plotting time"));
+    CHECK_FALSE(ui.has("Plotting time"));
     ui.click("Machine");
     ui.click("iDraw");
     CHECK(settings.saving.machine == Machine::idraw);
+    CHECK(ui.has("Plotting time"));
+    CHECK(ui.has("Finding overlap"));
+    ui.click("Machine");
+    ui.click("none");
+    CHECK_FALSE(settings.saving.machine);
     ui.click("Paper in SVG");
     CHECK(settings.drawing.background);
     format = DrawingFormat::gcode;
@@ -71,6 +77,7 @@ TEST_CASE("an export's resolution and order are set where it is asked for, for t
 
 TEST_CASE("what is wrong with an export is mended by a click, where there is one way to mend it") {
     ViewerSettings settings;
+    settings.saving.machine = Machine::axidraw_v3;
     settings.drawing.show_tiles = true;
     settings.drawing.page.margins = Margins{0, 7, 0, 0};
     ExportInfo info{.dots = 400, .bytes = 1e4, .trouble = {}};
@@ -82,6 +89,7 @@ TEST_CASE("what is wrong with an export is mended by a click, where there is one
                      {FindingKind::tile_layer, "the layer is drawn", "leave it out"},
                      {FindingKind::rings, "rings are drawn", "spirals fill them"}};
     HeadlessUi ui([&] { draw_export_panel(settings, DrawingFormat::svg, info); });
+    ui.click("Plotting advice");
     ui.click("Use 8,400 dots");
     CHECK(settings.drawing.placing.count == 8400);
     ui.click("Use 2,100 dots");

@@ -61,6 +61,17 @@ TEST_CASE("each handle of the histogram changes its own setting") {
     CHECK(f.changed);
 }
 
+TEST_CASE("the keys walk to each handle and move it") {
+    HistogramUi f;
+    f.ui.key(Key::tab);
+    f.ui.key(Key::right);
+    CHECK(f.tone.black_point == doctest::Approx(0.01));
+    f.ui.key(Key::tab);
+    f.ui.key(Key::tab);
+    f.ui.key(Key::left);
+    CHECK(f.tone.white_point == doctest::Approx(0.99));
+}
+
 TEST_CASE("at the middle handle ink covers half of the paper") {
     for (const Tone& tone : {Tone{}, Tone{.gamma = 2.4f}, Tone{.black_point = 0.2f, .white_point = 0.7f},
                              Tone{.black_point = 0.1f, .gamma = 0.6f, .invert = true}}) {

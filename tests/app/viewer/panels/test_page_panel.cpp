@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <optional>
 #include <string>
 
@@ -67,6 +68,11 @@ TEST_CASE("usual margins are as wide as a dot reaches, stay so when the dots cha
     drawn.reach_mm = 3;
     ui.enter("Top, mm", "3");
     CHECK(setup.margins == Margins{3, 3, 0.25, 0.25});
+    // Shown in steps of 0.05 mm, which do not drift with the number of dots.
+    setup.margins.reset();
+    drawn.reach_mm = 0.281;
+    ui.enter("Right, mm", "4");
+    CHECK(setup.margins->top == doctest::Approx(0.3));
 }
 
 TEST_CASE("a mural's sheets share strips, and say how large they are or why they cannot be") {
@@ -164,11 +170,19 @@ TEST_CASE("a crop is kept to a proportion, as large as there is room for around 
     PageSetup setup;
     CropTool tool;
     HeadlessUi ui([&] { draw_crop_rows(setup, tool, {400, 200}, {3, 4}); });
+    ui.click("Proportions");
     ui.click("1:1");
     REQUIRE(setup.crop);
     CHECK(setup.crop->box == Rectangle<double>{{25, 0}, {75, 100}});  // 200 x 200 pixels
+    ui.click("Proportions");
     ui.click("page");
     CHECK(setup.crop->box == Rectangle<double>{{31.25, 0}, {68.75, 100}});  // 150 x 200
+    CHECK(percent_proportion(CropProportion::picture, {{0, 0}, {50, 100}}, {400, 200}, {3, 4}) == 1);
+    CHECK(percent_proportion(CropProportion::four_three, {{0, 0}, {50, 50}}, {400, 200}, {3, 4}) ==
+          doctest::Approx(2.0 / 3));
+    CHECK(percent_proportion(CropProportion::a_series, {{0, 0}, {10, 90}}, {400, 400}, {3, 4}) ==
+          doctest::Approx(std::sqrt(0.5)));
+    ui.click("Proportions");
     ui.click("free");
     CHECK(setup.crop->box == Rectangle<double>{{31.25, 0}, {68.75, 100}});
     // Dragged by a corner, the other one stays; by a side, the middle of the other sides does.

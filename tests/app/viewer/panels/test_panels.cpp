@@ -1,6 +1,7 @@
 // What holds for several panels, clicked and dragged without a window.
 
 #include <doctest/doctest.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <array>
@@ -8,6 +9,7 @@
 
 #include "app/viewer/panels/method_panels.h"
 #include "app/viewer/panels/settings_panels.h"
+#include "app/viewer/panels/window_panels.h"
 #include "tests/headless_ui.h"
 
 namespace dapple {
@@ -40,6 +42,48 @@ TEST_CASE("every panel fits its column without cutting a label") {
         CHECK(start + ImGui::CalcTextSize(label).x < ui.place(label).min.x);
         CHECK(ui.place(label).max.x < 340);
     }
+}
+
+TEST_CASE("five steps lead through the method, a click each, from whatever was shown") {
+    ViewerSettings settings;
+    settings.drawing.placer = PlacerKind::figure8;
+    HeadlessUi ui([&] { draw_steps(settings); });
+    ui.click("tile");
+    CHECK(settings.drawing.placer == PlacerKind::exact);
+    CHECK(settings.drawing.show_tiles);
+    CHECK(settings.deepest_level == 0);
+    ui.click("copies");
+    CHECK(settings.deepest_level == kDeepestStep);
+    CHECK(settings.colouring == DotColouring::level);
+    ui.click("ranks");
+    CHECK(settings.colouring == DotColouring::rank);
+    CHECK_FALSE(settings.loupe.on);
+    ui.click("period");
+    CHECK(settings.drawing.tile == "paper16");
+    CHECK(settings.loupe.on);
+    CHECK(settings.colouring == DotColouring::ink);
+    CHECK(settings.density.source == DensitySource::grey);
+    ui.click("cure");
+    CHECK(settings.drawing.tile == kDefaultTile);
+    ui.click("tile");
+    CHECK_FALSE(settings.loupe.on);
+    CHECK(settings.density.source == DensitySource::photograph);
+}
+
+TEST_CASE("over the canvas Compare is held as long as the mouse holds it") {
+    bool held = false;
+    HeadlessUi ui([&] {
+        held = draw_canvas_tools({100, 100}, Column::drawing, [](Action) {});
+        ImGui::BringWindowToDisplayFront(ImGui::FindWindowByName("##tools"));  // from behind the others
+    });
+    ui.move_to(ui.at("Hold to compare", 0.5f));
+    CHECK_FALSE(held);
+    ui.press();
+    ui.frame();
+    CHECK(held);
+    ui.release();
+    ui.frame();
+    CHECK_FALSE(held);
 }
 
 TEST_CASE("text that is too wide goes on in another line, and no line ends within a number") {

@@ -146,7 +146,7 @@ TEST_CASE("a pen is hidden, or looked at alone, and the settings stay as they ar
     CHECK(hidden_among(pens, shown) == 0);
     // An eye that is opened or shut ends the look at one alone.
     ui.click("Pens shown");
-    ui.click("1 Cyan alone");
+    ui.click("2 Cyan alone");  // the rows are the settings', whatever was placed last
     ui.click("Show Black");
     CHECK(hidden_among(pens, shown) == 0);
     CHECK(drawing == before);

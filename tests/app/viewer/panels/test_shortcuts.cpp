@@ -47,6 +47,8 @@ TEST_CASE("keys do what the help says, once a press") {
     CHECK(keyboard.press(Key::f) == Actions{Action::fit});
     CHECK(keyboard.press(Key::zero, true) == Actions{Action::one_to_one});
     CHECK(keyboard.press(Key::o, true) == Actions{Action::open});
+    CHECK(keyboard.press(Key::k, true) == Actions{Action::palette});
+    CHECK(keyboard.press(Key::p, true) == Actions{Action::palette});
     CHECK(keyboard.press(Key::t, true) == Actions{Action::open_tile});
     CHECK(keyboard.press(Key::t) == Actions{Action::toggle_tiles});
     CHECK(keyboard.press(Key::s, true) == Actions{Action::save});

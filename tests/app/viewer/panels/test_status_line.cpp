@@ -35,6 +35,13 @@ TEST_CASE("a notice goes by itself after some seconds, an error does not") {
     CHECK(seconds_until_change(notice) > 1e9);
     for (int second = 0; second < 20; ++second) ui.frame(1);
     CHECK(notice.message == "cat.png: not a picture");
+    // The way to a saved file goes with its notice; what else is offered stays.
+    notice = {.message = "Saved cat.svg", .offer = kShowInFolder};
+    for (int second = 0; second < 20; ++second) ui.frame(1);
+    CHECK(notice.message.empty());
+    notice = {.message = "cat.hdr looks like an environment map.", .offer = "Open as lights"};
+    for (int second = 0; second < 20; ++second) ui.frame(1);
+    CHECK_FALSE(notice.message.empty());
 }
 
 TEST_CASE("a notice stays while the mouse is on it, and a new one starts anew however long nobody drew") {
