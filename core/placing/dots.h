@@ -26,6 +26,22 @@ struct Dots {
 
 void append(Dots& to, const Dots& more);
 
+/// Leaves the dots for which keeps(index) is true, as they were.
+template <class Keeps>
+void leave(Dots& dots, const Keeps& keeps) {
+    FloatBuffer* const columns[] = {&dots.x, &dots.y, &dots.threshold, &dots.critical, &dots.radius};
+    std::size_t left = 0;
+    const std::size_t all = dots.size();
+    for (std::size_t i = 0; i < all; ++i) {
+        if (!keeps(i)) continue;
+        for (FloatBuffer* const column : columns)
+            if (!column->empty()) (*column)[left] = (*column)[i];
+        ++left;
+    }
+    for (FloatBuffer* const column : columns)
+        if (!column->empty()) column->resize(left);
+}
+
 /// A drawing's dots in their order, piece after piece: threads place them side by side, and nothing is moved
 /// afterwards. Pieces may be empty.
 struct DotPieces {

@@ -124,6 +124,21 @@ PlacingRequest close_placing(const Density& page, const DotsRequest& request) {
 
 }  // namespace
 
+bool Workbench::draw(const DotsRequest& request, const DrawingPlan& plan, Stippling& drawn,
+                     const DrawingWatch& watch) {
+    DotsRequest unedited = request;
+    unedited.drawing.edits.clear();
+    const Stippling* const known = unedited_.find(unedited);
+    if (known)
+        drawn = *known;
+    else if (!pipeline_.settle(plan, drawn, watch))
+        return false;
+    if (!known && drawn.dots.size() <= kManyDots && drawn.steps == plan.steps)
+        unedited_.keep(std::move(unedited), drawn);
+    Pipeline::finish(plan, drawn);
+    return true;
+}
+
 bool Workbench::place(const DotsRequest& request, PlacedDrawing& drawing, std::stop_token stop,
                       const Unsettled& unsettled) {
     DrawingPlan made = plan(request);
@@ -176,7 +191,7 @@ bool Workbench::place(const DotsRequest& request, PlacedDrawing& drawing, std::s
         };
     }
     if (!(request.close ? stipple(pipeline_.tile(), page, made.placer, made.placing, drawing, stop)
-                        : pipeline_.draw(made, drawing, watch)))
+                        : draw(request, made, drawing, watch)))
         return false;
     finish(drawing);
     return true;
@@ -283,6 +298,7 @@ std::optional<DotsPlaced> Workbench::place_for_screen(const DotsRequest& request
 void Workbench::clear() {
     pipeline_ = {};
     choice_ = {};
+    unedited_.forget();
     tile_.reset();
     share_ = nullptr;
     arrived_.reset();

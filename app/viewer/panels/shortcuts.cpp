@@ -84,6 +84,9 @@ constexpr Entry kEntries[] = {
      {Action::mask, "B", "Paint a mask: more dots here, fewer or none there", "Mask",
       "A brush that paints where there are more dots, fewer or none."}},
     {In::drawing,
+     {Action::retouch, "D", "Retouch: remove, add, move or resize single dots", "Retouch",
+      "Takes single dots away, adds, moves or resizes them; a whitener and a lasso for many."}},
+    {In::drawing,
      {Action::rotate, "R", "Rotate the picture by a quarter turn", "Rotate",
       "Turns the picture clockwise on the page."}},
     {In::drawing,
@@ -140,7 +143,7 @@ constexpr NamedKey kKeys[] = {
     {"P", Key::p},       {"Q", Key::q},       {"S", Key::s},         {"T", Key::t},         {"V", Key::v},
     {"Y", Key::y},       {"Z", Key::z},       {"0", Key::zero},      {",", Key::comma},     {"Up", Key::up},
     {"Down", Key::down}, {"Left", Key::left}, {"Right", Key::right}, {"Space", Key::space}, {"F1", Key::f1},
-    {"F11", Key::f11},
+    {"F11", Key::f11},   {"D", Key::d},
 };
 
 bool is_arrow(Key key) {

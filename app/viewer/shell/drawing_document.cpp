@@ -270,6 +270,8 @@ void DrawingDocument::act(Action action, const Frame&) {
             return side_panel_.turn_to(Column::crop, session_);
         case Action::mask:
             return side_panel_.turn_to(Column::mask, session_);
+        case Action::retouch:
+            return side_panel_.turn_to(Column::retouch, session_);
         case Action::rotate:
             settings.drawing.page.quarter_turns = (settings.drawing.page.quarter_turns + 1) % 4;
             return;
@@ -359,7 +361,7 @@ void DrawingDocument::draw(const Frame& frame) {
     const bool can_paint =
         panels && session_.placed_once() && session_.settings.density.source == DensitySource::photograph;
     if (!can_paint) session_.cropping.on = false;
-    if (!can_paint || session_.cropping.on || session_.film) session_.brush.on = false;
+    if (!can_paint || session_.cropping.on || session_.film) session_.brush.on = session_.retouch.on = false;
     if (ImGuiIO& io = ImGui::GetIO(); session_.brush.on && io.KeyCtrl && !io.WantCaptureMouse) {
         const float turned = std::exchange(io.MouseWheel, 0.0f);  // which is not to zoom
         if (turned != 0) resize_brush(session_.brush, turned > 0 ? 1 : -1);
@@ -374,13 +376,15 @@ void DrawingDocument::draw(const Frame& frame) {
     std::optional<Crop>& crop = session_.settings.drawing.page.crop;
     const bool cropping = framing && crop_frame_.drag(crop, crop_proportion(session_), page.plan.framing,
                                                       page.plan.opened, canvas_.camera(), place);
-    session_.remember(ImGui::IsAnyItemActive() || painting || cropping);
+    const bool retouching = retoucher_.retouch(session_.settings.drawing.edits, session_.retouch,
+                                               session_.pane().page(), canvas_.camera(), place);
+    session_.remember(ImGui::IsAnyItemActive() || painting || cropping || retouching);
     session_.request_dots(zoom());
     compared_.request(zoom());
     show_changes(frame.window);
     film_player_.draw_bar({0, place.size.y}, player, frame.act);
     draw_over_canvas(place, frame.act);
-    canvas_.handle_mouse(place, session_.brush.on || cropping);
+    canvas_.handle_mouse(place, session_.brush.on || session_.retouch.on || cropping);
     draw_canvas_menu(place.corner, place.size, frame.act);
     if (variations_ && session_.placed_once() && !session_.film)
         choose_variation(place);
@@ -415,6 +419,7 @@ void DrawingDocument::draw(const Frame& frame) {
 
 Zoom DrawingDocument::zoom() const {
     ZoomMode mode = session_.settings.zoom_mode;
+    if (session_.retouch.on) mode = ZoomMode::drawing;  // which are the dots that it changes
     if (session_.film)
         mode = session_.film->kind == FilmKind::zoom ? ZoomMode::constant_density : ZoomMode::drawing;
     return {mode, canvas_.camera(), canvas_.enlargement()};
@@ -438,7 +443,8 @@ void DrawingDocument::draw_over_canvas(const CanvasPlace& place, const std::func
 }
 
 void DrawingDocument::explain_dot(const Pane& pane, const CanvasPlace& place) const {
-    if (!session_.settings.origins || session_.settings.loupe.on || session_.brush.on || !pane.page().request)
+    if (!session_.settings.origins || session_.settings.loupe.on || session_.brush.on ||
+        session_.retouch.on || !pane.page().request)
         return;
     const PlacerKind placer = pane.page().request->drawing.placer;
     const TileView& tile = pane.tile();
@@ -469,7 +475,7 @@ void DrawingDocument::show_changes(Window& window) {
         canvas_.fit();
         variations_ = false;
         const Column column = side_panel_.column();  // a tool is of the picture before
-        if (column == Column::crop || column == Column::mask) side_panel_.turn_to(Column::drawing, session_);
+        if (column != Column::method) side_panel_.turn_to(Column::drawing, session_);
     }
     if (pictures_fitted_ > 0) window.set_title((session_.has_changes() ? "*" : "") + name() + " - Dapple");
     show_changes(Side::left, session_.placed_once() ? &compared_.seen() : nullptr);
