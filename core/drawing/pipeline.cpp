@@ -536,7 +536,7 @@ void Pipeline::finish(const DrawingPlan& plan, Stippling& drawn) {
     if (drawn.duplicates == 0 || plan.edits.empty()) return;
     std::vector<std::pair<float, float>> places;
     for_each_position(drawn.dots, [&](float x, float y) { places.emplace_back(x, y); });
-    std::ranges::sort(places);
+    std::sort(places.begin(), places.end());
     drawn.duplicates = static_cast<std::uint64_t>(places.end() - std::unique(places.begin(), places.end()));
 }
 

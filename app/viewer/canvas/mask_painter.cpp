@@ -164,12 +164,12 @@ std::string Retoucher::edits_made(const RetouchTool& tool, const PlacedDrawing& 
     return text_of({Edit::Kind::bare, {at}, bare}) + (hand == Hand::remove ? "" : text_of(again));
 }
 
-bool Retoucher::retouch(std::string& edits, const RetouchTool& tool, const PlacedDrawing& shown,
+void Retoucher::retouch(std::string& edits, const RetouchTool& tool, const PlacedDrawing& shown,
                         const Camera& camera, const CanvasPlace& place) {
     const ImGuiIO& io = ImGui::GetIO();
     const bool free = !io.WantCaptureMouse && place.holds(io.MousePos);
     if (!tool.on || !shown.is_there()) way_.clear();
-    if (!tool.on || !shown.is_there() || (way_.empty() && !free)) return false;
+    if (!tool.on || !shown.is_there() || (way_.empty() && !free)) return;
     const glm::dvec2 corner = shown.layout.picture.low;
     const double unit = shown.layout.page.mm_per_page_unit;
     const double points_per_mm = camera.pixels_per_unit / place.pixels_per_point.x / unit;
@@ -226,7 +226,7 @@ bool Retoucher::retouch(std::string& edits, const RetouchTool& tool, const Place
     }
     list->PopClipRect();
 
-    if (!held || ImGui::IsMouseDown(ImGuiMouseButton_Left)) return held;
+    if (!held || ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
     const std::string all = edits + edits_made(tool, shown, dot_mm);
     way_.clear();
     try {
@@ -234,7 +234,6 @@ bool Retoucher::retouch(std::string& edits, const RetouchTool& tool, const Place
         edits = all;
     } catch (const std::runtime_error&) {  // too many to be kept
     }
-    return false;
 }
 
 }  // namespace dapple

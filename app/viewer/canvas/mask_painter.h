@@ -36,8 +36,8 @@ class MaskPainter {
 class Retoucher {
  public:
     /// Adds to the edits what the button did to the whole page of a drawing, once it is let go, unless there
-    /// are too many. True while it is held there. Draws, behind ImGui's windows, what it would do or does.
-    bool retouch(std::string& edits, const RetouchTool& tool, const PlacedDrawing& shown,
+    /// are too many. Draws, behind ImGui's windows, what it would do or does.
+    void retouch(std::string& edits, const RetouchTool& tool, const PlacedDrawing& shown,
                  const Camera& camera, const CanvasPlace& place);
 
  private:

@@ -71,7 +71,6 @@ Everything with_all_in_use() {
     all.drawing.page.height_mm = 150;
     all.drawing.page.margins = Margins{1, 2, 3, 4};
     all.drawing.sheets.columns = 2;
-    all.drawing.edits = "dot 1,2;";
     one.retouch.hand = Hand::whiten;
     all.drawing.pens = {.set = PenSet::own, .own = palette_of({.set = PenSet::cmyk, .width_mm = 0.3})};
     all.saving.gcode_template.text = "move G1 X{x} Y{y}\ndot G4 P{dwell}\n";
