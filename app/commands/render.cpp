@@ -206,11 +206,11 @@ void check_holds(const DrawingPlan& plan, const DrawingFile& file, const PageSiz
     const DrawingSettings& settings = file.settings;
     double dots = plan.dots();
     const bool joined = settings.style != DrawingStyle::dots;
-    if (plan.pens.empty() && !joined)
-        dots *= part.width_mm * part.height_mm / (plan.page.width_mm * plan.page.height_mm);
+    const bool streamed = plan.pens.empty() && plan.edits.empty() && !joined;
+    if (streamed) dots *= part.width_mm * part.height_mm / (plan.page.width_mm * plan.page.height_mm);
     const auto count = static_cast<std::uint64_t>(dots);
     const DotOrder order = options.saving.order.value_or(usual_order(file.format, count, settings.style));
-    if (order == DotOrder::recursion && plan.pens.empty() && !joined) return;
+    if (order == DotOrder::recursion && streamed) return;
     const double each = !plan.pens.empty() ? kOfPens : joined ? kJoined : kSorted;
     check_memory(dots * each, fmt::format("{} dots in the order \"{}\"", about(dots), name_of(order)),
                  options.memory);

@@ -52,6 +52,9 @@ void check(const dapple::DrawingSettings& drawing) {
         throw std::runtime_error(
             "this page draws neither contours nor solid blacks, which these settings ask for; draw them with "
             "the program");
+    if (!drawing.edits.empty())
+        throw std::runtime_error(
+            "this page does not retouch, as these settings do; draw them with the program");
     if (drawing.placing.count && drawing.dot_size.sizing != dapple::DotSizing::by_tone)
         check_count(*drawing.placing.count);
     const std::string tile = dapple::tile_in_use(drawing);

@@ -64,7 +64,7 @@ void lay_out(DrawingPlan& plan, const PageSetup& setup, glm::ivec2 pixels) {
 
 // Gives each dot the radius that tone and mask ask for at its place. None where all are alike.
 std::function<void(Dots&)> sizes_by_place(const DrawingPlan& plan, double scale) {
-    if (plan.size.sizing != DotSizing::by_tone && plan.finer.empty()) return {};
+    if (plan.size.sizing != DotSizing::by_tone && plan.finer.empty() && plan.largest_edit_mm == 0) return {};
     return [density = plan.density, finer = plan.finer, smallest = smallest_area(plan.size),
             largest = plan.radius(scale)](Dots& dots) {
         dots.radius.resize(dots.size());
@@ -97,6 +97,17 @@ void give_sizes(const DrawingPlan& plan, double scale, DotPieces& dots) {
         for (Dots& piece : dots.pieces) size(piece);
 }
 
+PageLayout edited_page(const DrawingPlan& plan, double scale) {
+    return plan.layout(plan.edits_scale.value_or(scale));
+}
+
+void give_sizes_and_edit(const DrawingPlan& plan, double scale, DotPieces& dots) {
+    const auto sizes = [&] { give_sizes(plan, scale, dots); };
+    if (plan.edits.empty()) return sizes();
+    apply(plan.edits, edited_page(plan, scale), scale, !plan.pens.empty(), plan.placing.thresholds, dots,
+          sizes);
+}
+
 }  // namespace
 
 double DrawingPlan::scale() const {
@@ -113,9 +124,9 @@ double DrawingPlan::radius(double scale) const {
 }
 
 double DrawingPlan::radius_mm(double scale) const {
-    if (size.sizing == DotSizing::automatic)
-        return largest_share() * radius(scale) * layout(scale).page.mm_per_page_unit;
-    return largest_share() * reach_mm(size);
+    const bool automatic = size.sizing == DotSizing::automatic;
+    const double mm = automatic ? radius(scale) * layout(scale).page.mm_per_page_unit : reach_mm(size);
+    return std::max(largest_share() * mm, largest_edit_mm);
 }
 
 PageLayout DrawingPlan::layout(double scale) const {
@@ -387,7 +398,11 @@ void Pipeline::add_inking(DrawingPlan& plan, const DrawingSettings& request) {
                                       [&] { return find_blacks(seen, request.solid, kLeastSolid); });
             inking.lines = outside(inking.lines, inking.areas, kAlongSolid);
         }
-        if (!request.mask.empty()) inking = within(std::move(inking), kept);
+        if (!request.mask.empty())
+            inking =
+                within(std::move(inking), [&, longer = std::max(kept.width, kept.height)](glm::dvec2 at) {
+                    return value_at(kept, glm::vec2(at * double(longer)) - 0.5f) >= 0.5f;
+                });
         Room made;
         inking = fitted(std::move(inking), seen, inked.dots);
         made.times = room_for_dots(inking, *plan.density, seen, InkCurve(plan.ink), inked.dots);
@@ -396,6 +411,13 @@ void Pipeline::add_inking(DrawingPlan& plan, const DrawingSettings& request) {
         return made;
     });
     plan.inking = room.inking;
+    if (!plan.edits.empty()) {  // dots keep away even from what is not there any more
+        const double scale = plan.placing.count ? scale_for(*plan.density, dots) : plan.placing.scale;
+        plan.inking = std::make_shared<const Inking>(within(
+            *room.inking, [is_bare = bare_places(plan.edits, edited_page(plan, scale))](glm::dvec2 at) {
+                return !is_bare(at, 0);
+            }));
+    }
     plan.density = room.density;
     if (plan.pens.empty()) return;
     plan.by_pen.all = room.density;
@@ -438,6 +460,10 @@ DrawingPlan Pipeline::plan(const DrawingSettings& asked, std::uint64_t most_dots
     plan.placing = settings.placing;
     plan.joined = settings.style != DrawingStyle::dots;
     plan.stroke_width_mm = keeps_dots_inside(settings.page) ? widest_stroke(asked) : 0;
+    plan.edits = parse_edits(settings.edits);
+    for (const Edit& edit : plan.edits)
+        if (edit.kind == Edit::Kind::dot && !plan.joined && !draws_touches(asked))
+            plan.largest_edit_mm = std::max(plan.largest_edit_mm, double{edit.radius_mm});
     if (settings.automatic_exposure) plan.tone.exposure = usual_exposure_;
     if (!plain_) plan.pens = pens_for(settings.pens, framed_colours(), plan.tone.exposure, settings.paper);
     const std::optional<double> pens_width = width_of_pens(plan.pens);
@@ -504,12 +530,27 @@ bool is_streamed(const DrawingPlan& plan) {
 }  // namespace
 
 bool Pipeline::draw(const DrawingPlan& plan, Stippling& drawn, const DrawingWatch& watch) {
+    if (!settle(plan, drawn, watch)) return false;
+    finish(plan, drawn);
+    return true;
+}
+
+void Pipeline::finish(const DrawingPlan& plan, Stippling& drawn) {
+    give_sizes_and_edit(plan, drawn.scale, drawn.dots);
+    if (drawn.duplicates == 0 || plan.edits.empty()) return;
+    std::vector<std::pair<float, float>> places;
+    for_each_position(drawn.dots, [&](float x, float y) { places.emplace_back(x, y); });
+    std::sort(places.begin(), places.end());
+    drawn.duplicates = static_cast<std::uint64_t>(places.end() - std::unique(places.begin(), places.end()));
+}
+
+bool Pipeline::settle(const DrawingPlan& plan, Stippling& drawn, const DrawingWatch& watch) {
     const Density& density = *plan.density;
     if (!stipple(*tile_, density, plan.placer, plan.placing, drawn, watch.stop)) return false;
     if (plan.placing.thresholds) fill_critical_scales(drawn.dots, density);
     const auto on_the_way = [&](DotPieces dots) {
         if (!plan.pens.empty()) dots = pen_dots(dots, plan.by_pen, {.scale = drawn.scale, .rough = true});
-        give_sizes(plan, drawn.scale, dots);
+        give_sizes_and_edit(plan, drawn.scale, dots);
         return dots;
     };
     const bool relaxes = plan.steps > 0 && drawn.dots.size() > 0;
@@ -548,7 +589,6 @@ bool Pipeline::draw(const DrawingPlan& plan, Stippling& drawn, const DrawingWatc
         if (by_pen.pieces.empty()) return false;
         drawn.dots = std::move(by_pen);
     }
-    give_sizes(plan, drawn.scale, drawn.dots);
     return true;
 }
 
@@ -562,8 +602,9 @@ double Pipeline::find_scale(DrawingPlan& plan) {
 std::optional<PlannedDrawing> Pipeline::drawing(DrawingPlan plan, const std::stop_token& stop) {
     PlannedDrawing drawing;
     drawing.tile_size = tile_->tile().size();
-    if (plan.placer == PlacerKind::figure8 || !plan.pens.empty()) {
+    if (plan.placer == PlacerKind::figure8 || !plan.pens.empty() || !plan.edits.empty()) {
         // It needs all dots at once: it counts the duplicates among them. So do pens that share dots out.
+        // Edits are of few enough to be seen.
         const auto drawn = std::make_shared<Stippling>();
         if (!draw(plan, *drawn, {.stop = stop, .step = {}})) return std::nullopt;
         drawing.scale = drawn->scale;

@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/drawing/edits.h"
 #include "core/drawing/page_setup.h"
 #include "core/drawing/pen_plan.h"
 #include "core/drawing/settings.h"
@@ -89,6 +90,9 @@ struct DrawingPlan {
     PenDensities by_pen;         // whose sum is the density above
     Refinement finer;            // where there are more dots for it, and smaller ones
     std::shared_ptr<const Inking> inking;  // lines and solid blacks among the dots; none: null
+    std::vector<Edit> edits;               // by hand; the largest radius that they give a dot, in mm;
+    double largest_edit_mm = 0;            // 0: all are as large as the others. On the page of a
+    std::optional<double> edits_scale;     // drawing that came to that scale; none: of this one
     PageSetup setup;
     glm::ivec2 pixels{1, 1};  // of the picture, framed
     Framing framing;          // of the picture that was opened,
@@ -136,8 +140,8 @@ struct PlannedDrawing {
     DrawingPlan plan;
     double scale = 0;  // that it came to
     /// Those of a part, seen from its corner, handed over in pieces and without holding all of them, except
-    /// for Figure 8's and those of several pens. Equal to the whole page's to the bit, and in their order.
-    /// The stream owns what it needs. Throws as stream() does. If stopped, none.
+    /// for Figure 8's, those of several pens and edited ones. Equal to the whole page's to the bit, and in
+    /// their order. The stream owns what it needs. Throws as stream() does. If stopped, none.
     std::function<DotStream(const PagePart& part, const std::stop_token& stop)> dots;
     /// The tiles of the whole page that the placer goes through.
     std::function<std::vector<PlacedTile>()> outlines;
@@ -183,6 +187,9 @@ class Pipeline {
     /// All dots of the page into `drawn`, using its memory again. Figure 8 given a count places about so
     /// many. False if stopped. Throws as stipple() does.
     bool draw(const DrawingPlan& plan, Stippling& drawn, const DrawingWatch& watch = {});
+    /// The same in two parts: the dots settled, and then their sizes, and the edits.
+    bool settle(const DrawingPlan& plan, Stippling& drawn, const DrawingWatch& watch = {});
+    static void finish(const DrawingPlan& plan, Stippling& drawn);
 
     /// Where the dots are needed at once, they are drawn now. Nothing if stopped. Throws as stipple() does.
     std::optional<PlannedDrawing> drawing(DrawingPlan plan, const std::stop_token& stop = {});

@@ -37,7 +37,8 @@ bool can_be_finer(const DrawingSettings& settings) {
 }
 
 bool has_several_sizes(const DrawingSettings& settings) {
-    return settings.dot_size.sizing == DotSizing::by_tone ||
+    return settings.edits.find("dot r") != settings.edits.npos ||
+           settings.dot_size.sizing == DotSizing::by_tone ||
            (settings.mask.has_finer() && can_be_finer(settings));
 }
 

@@ -109,6 +109,8 @@ struct DrawingSettings {
     DotMark mark = {};          // each dot's shape, where the style is dots
     double pen_width_mm = 0.3;  // of the strokes that shapes and lines are drawn with
 
+    std::string edits = {};  // by hand: see parse_edits(); empty: none
+
     bool operator==(const DrawingSettings&) const = default;
 };
 

@@ -151,8 +151,9 @@ DrawingToSave drawing_on(const DrawnPage& page, const PlannedDrawing& drawing, c
     const DrawingPlan& plan = drawing.plan;
     const PageSize& size = page.part.size;
     const glm::dvec2 corner = corner_of(page.part);
+    const double radius = std::max(plan.radius(drawing.scale), drawing.radius_mm() / size.mm_per_page_unit);
     DrawingToSave result{.file = file,
-                         .dots = drawing.dots(reached(page, file, plan.radius(drawing.scale)), stop),
+                         .dots = drawing.dots(reached(page, file, radius), stop),
                          .page = size,
                          .pens = plan.pens,
                          .dot_radius_mm = drawing.radius_mm(),

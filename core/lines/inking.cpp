@@ -381,13 +381,11 @@ std::vector<InkLine> lines_shown(const std::vector<InkLine>& lines, double conto
     return shown;
 }
 
-Inking within(Inking inking, const Grid<float>& kept) {
-    const double longer = std::max(kept.width, kept.height);
+Inking within(Inking inking, const std::function<bool(glm::dvec2 place)>& is_drawn) {
     Inking result{.lines = {}, .areas = std::move(inking.areas), .white = {}};
     for (const InkLine& line : inking.lines)
-        for (InkLine& piece : pieces_of(line, [&](const InkLine&all, std::size_t i) {
-                 return value_at(kept, glm::vec2(all.points[i] * longer) - 0.5f) >= 0.5f;
-             }))
+        for (InkLine& piece :
+             pieces_of(line, [&](const InkLine&all, std::size_t i) { return is_drawn(all.points[i]); }))
             result.lines.push_back(std::move(piece));
     return result;
 }

@@ -2,6 +2,7 @@
 // The lines and solid blacks of a drawing, among its dots: as shapes to be filled, as strokes of a pen, and
 // what room they leave for dots.
 
+#include <functional>
 #include <vector>
 
 #include "core/image/density.h"
@@ -50,9 +51,8 @@ Grid<float> negative(Grid<float> light);
 /// Those of the lines that a strength of 0..1 shows, the weaker ones thinner.
 std::vector<InkLine> lines_shown(const std::vector<InkLine>& lines, double contours);
 
-/// What of an inking's lines lies where the picture is drawn: where `kept`, a grid over the picture, is 0.5
-/// or more.
-Inking within(Inking inking, const Grid<float>& kept);
+/// What of an inking's lines lies where the picture is drawn, and all of its areas.
+Inking within(Inking inking, const std::function<bool(glm::dvec2 place)>& is_drawn);
 
 /// The density with that room in it: see room_for_dots().
 Density with_room(const Density& density, const Grid<float>& room);

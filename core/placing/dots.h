@@ -67,6 +67,21 @@ inline constexpr FloatBuffer Dots::*kDotColumns[] = {&Dots::x, &Dots::y, &Dots::
 
 void append(Dots& to, const Dots& more);
 
+/// Leaves the dots for which keeps(index) is true, as they were.
+template <class Keeps>
+void leave(Dots& dots, const Keeps& keeps) {
+    std::size_t left = 0;
+    const std::size_t all = dots.size();
+    for (std::size_t i = 0; i < all; ++i) {
+        if (!keeps(i)) continue;
+        for (const auto column : kDotColumns)
+            if (!(dots.*column).empty()) (dots.*column)[left] = (dots.*column)[i];
+        ++left;
+    }
+    for (const auto column : kDotColumns)
+        if (!(dots.*column).empty()) (dots.*column).resize(left);
+}
+
 /// A drawing's dots in their order, piece after piece: threads place them side by side, and nothing is moved
 /// afterwards. Pieces may be empty.
 struct DotPieces {

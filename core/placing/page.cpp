@@ -83,20 +83,9 @@ PageWindow window_around(const PagePart& part) {
 
 void cut_to(const PagePart& part, Dots& dots) {
     if (part == PagePart{}) return;
-    std::size_t to = 0;
-    for (std::size_t i = 0; i < dots.size(); ++i) {
-        const float x = dots.x[i], y = dots.y[i];
-        if (!is_on(part.across, x) || !is_on(part.down, y)) continue;
-        dots.x[to] = static_cast<float>(x - part.across.offset);
-        dots.y[to] = static_cast<float>(y - part.down.offset);
-        for (FloatBuffer* column : {&dots.threshold, &dots.critical, &dots.radius}) {
-            if (!column->empty()) (*column)[to] = (*column)[i];
-        }
-        ++to;
-    }
-    for (const auto column : kDotColumns) {
-        if (!(dots.*column).empty()) (dots.*column).resize(to);
-    }
+    leave(dots, [&](std::size_t i) { return is_on(part.across, dots.x[i]) && is_on(part.down, dots.y[i]); });
+    for (float& x : dots.x) x = static_cast<float>(x - part.across.offset);
+    for (float& y : dots.y) y = static_cast<float>(y - part.down.offset);
 }
 
 void move_to(const PagePart& part, std::span<PlacedTile> tiles) {

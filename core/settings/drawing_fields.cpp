@@ -1,5 +1,6 @@
 #include "core/settings/drawing_fields.h"
 
+#include "core/drawing/edits.h"
 #include "core/settings/fields.h"
 #include "core/settings/setting.h"
 
@@ -73,7 +74,7 @@ static void describe(Fields& fields, PageSetup& page) {
 void describe(Fields& fields, DrawingSettings& drawing) {
     auto& [automatic_tone, tone_strength, automatic_exposure, tone, mask, tile, ranking, placer, placing,
            relax, settle_for, dot_size, page, sheets, pens, registration, ink, paper, background, show_tiles,
-           contours, solid, style, mark, pen_width_mm] = drawing;
+           contours, solid, style, mark, pen_width_mm, edits] = drawing;
     fields.flag(setting::automatic_tone, automatic_tone);
     fields.number(setting::tone_strength, tone_strength);
     fields.flag(setting::automatic_exposure, automatic_exposure);
@@ -110,6 +111,10 @@ void describe(Fields& fields, DrawingSettings& drawing) {
                 [&mark = mark](const std::string& text) { mark = parse_dot_mark(text); });
     fields.number(setting::pen_width, pen_width_mm);
     fields.mask(setting::mask, mask);
+    fields.text(setting::edits, edits, [&edits = edits](const std::string& text) {
+        static_cast<void>(parse_edits(text));
+        edits = text;
+    });
 }
 
 static void describe(Fields& fields, OwnTemplate& own) {

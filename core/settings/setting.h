@@ -221,6 +221,9 @@ inline constexpr Setting pen_width{
         ". In a file for plotters, without --dot-shape, each dot is a touch of this pen, or a spiral that "
         "fills it to --dot-radius"};
 inline constexpr Setting mask{.names = {"mask", "Mask", "--mask"}};
+inline constexpr Setting edits{.names = {"edits", "Retouch", "--edits"},
+                               .value = "none|EDITS",
+                               .help = "What was changed by hand in the window; none: nothing"};
 
 // Page.
 inline constexpr Setting page_size{.names = {"paper", "Paper size", "--page"}};

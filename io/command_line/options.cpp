@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "core/drawing/edits.h"
 #include "core/failure.h"
 #include "core/image/auto_tone.h"
 #include "core/image/detail.h"
@@ -261,6 +262,10 @@ void add_style_options(CLI::App& app, DrawingSettings& settings) {
     add_length(app, setting::pen_width, settings.pen_width_mm);
     add_number(app, setting::contours, settings.contours);
     add_number(app, setting::solid, settings.solid);
+    add_text(app, setting::edits, [&settings](const std::string& text) {
+        settings.edits = text == "none" ? "" : text;
+        static_cast<void>(parse_edits(settings.edits));
+    });
 }
 
 void add_tone_options(CLI::App& app, DrawingSettings& settings) {

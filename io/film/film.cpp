@@ -121,7 +121,7 @@ struct Stage {
         return {.file = {.format = DrawingFormat::png, .settings = settings, .saving = {.dpi = dpi}},
                 .dots = dots,
                 .page = page.size,
-                .dot_radius_mm = radius * page.size.mm_per_page_unit};
+                .dot_radius_mm = std::max(radius * page.size.mm_per_page_unit, plan.largest_edit_mm)};
     }
 };
 
@@ -135,6 +135,7 @@ Stage stage_of(Pipeline& pipeline, const DrawingSettings& settings, const FilmCh
     if (stage.plan.density->mean() == 0)
         throw std::runtime_error("nothing to film: the whole picture is as light as the paper");
     stage.scale = pipeline.find_scale(stage.plan);
+    stage.plan.edits_scale = stage.scale;
     const PageLayout layout = stage.plan.layout(stage.scale);
     stage.page = sheet_of(layout.page, {}, layout.picture.low);
     stage.dpi = dpi_for(layout.page, choice.longer_side);

@@ -135,6 +135,7 @@ DrawingSettings with_preset(const DrawingSettings& preset, const DrawingSettings
     drawing.page.mirrored = present.page.mirrored;
     drawing.placing.threads = present.placing.threads;
     drawing.mask = present.mask;
+    drawing.edits = present.edits;
     return drawing;
 }
 

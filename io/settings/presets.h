@@ -32,7 +32,8 @@ void save_preset(const std::string& name, const SavedSettings& settings, const s
 /// Throws std::runtime_error if it is not there or stays.
 void remove_preset(const std::string& name, const std::filesystem::path& folder);
 
-/// A preset's settings, except for what is the picture's own: its crop, its turns, its exposure, its mask.
+/// A preset's settings, except for what is the picture's own: its crop, its turns, its exposure, its mask and
+/// its edits.
 DrawingSettings with_preset(const DrawingSettings& preset, const DrawingSettings& present);
 
 }  // namespace dapple

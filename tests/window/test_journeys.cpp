@@ -2,7 +2,10 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <glm/vec2.hpp>
 #include <string>
+#include <vector>
 
 #include "tests/file_text.h"
 #include "tests/places.h"
@@ -212,6 +215,78 @@ TEST_CASE(
     CHECK(drawing["count"] == 650);
     RunningViewer viewer(files.folder.path(), {"ramp.dapple"});
     in_dialog(viewer, "Export...");
+    REQUIRE(viewer.shows([&] { return files.has("ramp.svg"); }));
+    files.compare(exported, files.svg());
+}
+
+TEST_CASE("by mouse: dots removed, added, moved, resized, whitened and lassoed, and each taken back") {
+    const JourneyFolder files;
+    Display display;
+    std::string exported;
+    std::uint64_t all = 0;
+    {
+        RunningViewer viewer(files.folder.path(), {"start.dapple"});
+        viewer.click("Open...");
+        REQUIRE(viewer.shows([&] { return viewer.has("ramp.pgm"); }));
+        place_anew(viewer, "opened", [&] { viewer.click("ramp.pgm"); });
+        viewer.click("Dots value");
+        REQUIRE(viewer.shows([&] { return viewer.has("Typing"); }));
+        viewer.xdotool("type 9000");
+        viewer.click("Retouch");
+        REQUIRE(viewer.shows([&] { return viewer.has("lasso") && viewer.dots() == 9000; }));
+        all = viewer.dots();
+        std::vector<std::uint64_t> counts{all};
+        // Where the ramp is darkest, dots lie closer than a click reaches.
+        const auto drag = [&](const char* hand, std::vector<glm::ivec2> way) {
+            viewer.click(hand);
+            place_anew(viewer, hand, [&] {
+                viewer.move(way[0].x, way[0].y);
+                viewer.press();
+                for (const glm::ivec2 at : way) viewer.move(at.x, at.y);
+                viewer.release();
+            });
+            counts.push_back(viewer.dots());
+        };
+        drag("remove", {{700, 400}});
+        CHECK(viewer.dots() == all - 1);
+        drag("add", {{700, 402}});
+        CHECK(viewer.dots() == all);
+        drag("move", {{700, 402}, {740, 440}});
+        CHECK(viewer.dots() == all);
+        drag("size", {{740, 440}, {760, 440}});
+        CHECK(viewer.dots() == all);
+        drag("whiten", {{600, 300}, {700, 320}});
+        CHECK(viewer.dots() < all - 20);
+        drag("lasso", {{500, 450}, {750, 450}, {740, 560}, {510, 550}});
+        CHECK(viewer.dots() < counts[5] - 100);
+        for (std::size_t back = counts.size() - 1; back > 0; --back) {
+            place_anew(viewer, "taken back", [&] { viewer.key("ctrl+z"); });
+            CHECK(viewer.dots() == counts[back - 1]);
+        }
+        for (std::size_t again = 1; again < counts.size(); ++again)
+            place_anew(viewer, "done again", [&] { viewer.key("ctrl+y"); });
+        CHECK(viewer.dots() == counts.back());
+        viewer.key("Escape");
+        REQUIRE(viewer.shows([&] { return !viewer.has("lasso"); }));
+        viewer.key("ctrl+e");
+        REQUIRE(viewer.shows([&] { return viewer.has("Path"); }));
+        viewer.key("Return");
+        REQUIRE(viewer.shows([&] { return files.has("ramp.svg"); }));
+        exported = files.svg();
+        fs::remove(files.folder / "ramp.svg");
+        viewer.key("ctrl+shift+s");
+        REQUIRE(viewer.shows([&] { return viewer.has("Path"); }));
+        viewer.key("Return");
+        REQUIRE(viewer.shows([&] { return files.has("ramp.dapple"); }));
+        CHECK(viewer.quit() == 0);
+    }
+    const std::string edits = json::parse(text_of(files.folder / "ramp.dapple"))["drawing"]["edits"];
+    CHECK(std::ranges::count(edits, ';') == 8);
+    CHECK(edits.find("dot r") != edits.npos);
+    RunningViewer viewer(files.folder.path(), {"ramp.dapple"});
+    viewer.key("ctrl+e");
+    REQUIRE(viewer.shows([&] { return viewer.has("Path"); }));
+    viewer.key("Return");
     REQUIRE(viewer.shows([&] { return files.has("ramp.svg"); }));
     files.compare(exported, files.svg());
 }

@@ -170,6 +170,21 @@ DrawingPlan Workbench::plan(const DotsRequest& request) {
     return pipeline_.plan(drawing, request.most_dots);
 }
 
+bool Workbench::draw(const DotsRequest& request, const DrawingPlan& plan, Stippling& drawn,
+                     const DrawingWatch& watch) {
+    DotsRequest unedited = request;
+    unedited.drawing.edits.clear();
+    const Stippling* const known = unedited_.find(unedited);
+    if (known)
+        drawn = *known;
+    else if (!pipeline_.settle(plan, drawn, watch))
+        return false;
+    if (!known && drawn.dots.size() <= kManyDots && drawn.steps == plan.steps)
+        unedited_.keep(std::move(unedited), drawn);
+    Pipeline::finish(plan, drawn);
+    return true;
+}
+
 bool Workbench::place(const DotsRequest& request, PlacedDrawing& drawing, std::stop_token stop,
                       const Unsettled& unsettled) {
     DrawingPlan made = plan(request);
@@ -221,7 +236,7 @@ bool Workbench::place(const DotsRequest& request, PlacedDrawing& drawing, std::s
         };
     }
     if (!(request.close ? stipple(pipeline_.tile(), page, made.placer, made.placing, drawing, stop)
-                        : pipeline_.draw(made, drawing, watch)))
+                        : draw(request, made, drawing, watch)))
         return false;
     finish(drawing);
     return true;
@@ -337,6 +352,7 @@ std::optional<DotsPlaced> Workbench::place_for_screen(const DotsRequest& request
 void Workbench::clear() {
     pipeline_ = {};
     choice_ = {};
+    unedited_.forget();
     tile_.reset();
     share_ = nullptr;
     arrived_.reset();

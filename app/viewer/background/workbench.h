@@ -78,7 +78,10 @@ using PrepareFile = std::function<WriteFile(Workbench&, std::stop_token)>;
 class Workbench {
  public:
     /// Shows another picture from now on.
-    void set_picture(Picture picture) { dapple::set_picture(pipeline_, std::move(picture)); }
+    void set_picture(Picture picture) {
+        dapple::set_picture(pipeline_, std::move(picture));
+        unedited_.forget();
+    }
     /// The same, and comes with its first dots on the screen: of `about`, file, name and way to read it are
     /// told.
     void open(Picture picture, OpenedPicture about);
@@ -107,10 +110,13 @@ class Workbench {
     void clear();
 
  private:
+    bool draw(const DotsRequest& request, const DrawingPlan& plan, Stippling& drawn,
+              const DrawingWatch& watch);
     DotsPlaced ready_for_screen(const DotsRequest& request, PlacedDrawing drawing, LineWay way,
                                 const std::stop_token& stop);
 
     Pipeline pipeline_;
+    Cached<DotsRequest, Stippling> unedited_;  // the last dots, if they are few: other edits come at once
     DensityChoice choice_;
     std::optional<std::pair<std::string, std::optional<RankingMethod>>> tile_;  // its name and ranking
     std::atomic<float>* share_ = nullptr;  // of the dots placed: see Placer::report_share()

@@ -1,12 +1,17 @@
 #pragma once
-// The mask over the canvas: painted with the mouse, and shown as a tint while the brush is there.
+// What the left button changes over the canvas: the mask, which is painted, and shown as a tint while the
+// brush is there, and single dots.
 
+#include <glm/vec2.hpp>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "app/viewer/background/dots_request.h"
 #include "app/viewer/canvas/camera_mouse.h"
 #include "app/viewer/canvas/gl_objects.h"
 #include "app/viewer/model/mask_brush.h"
+#include "core/drawing/edits.h"
 
 namespace dapple {
 
@@ -26,6 +31,20 @@ class MaskPainter {
     std::optional<BrushStroke> stroke_;
     GlTexture tint_;
     Mask tinted_;  // what tint_ shows
+};
+
+class Retoucher {
+ public:
+    /// Adds to the edits what the button did to the whole page of a drawing, once it is let go, unless there
+    /// are too many. Draws, behind ImGui's windows, what it would do or does.
+    void retouch(std::string& edits, const RetouchTool& tool, const PlacedDrawing& shown,
+                 const Camera& camera, const CanvasPlace& place);
+
+ private:
+    std::string edits_made(const RetouchTool& tool, const PlacedDrawing& shown, float resized_mm) const;
+
+    std::vector<glm::vec2> way_;  // the pointer's since the button went down, in mm; empty: it is up
+    std::optional<Edit> dot_;     // the one under it, or where it went down, as if it had been added
 };
 
 }  // namespace dapple

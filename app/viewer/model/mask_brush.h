@@ -1,10 +1,12 @@
 #pragma once
-// The brush that paints the drawing's mask in the window.
+// What the left button does over the canvas: the brush that paints the drawing's mask, and the hand that
+// retouches single dots.
 
 #include <algorithm>
 #include <cmath>
 
 #include "core/image/mask.h"
+#include "core/text/names.h"
 
 namespace dapple {
 
@@ -20,5 +22,17 @@ inline constexpr double kSmallestBrush = 0.002, kLargestBrush = 1;
 inline void resize_brush(MaskBrush& tool, int steps) {
     tool.brush.radius = std::clamp(tool.brush.radius * std::pow(1.25, steps), kSmallestBrush, kLargestBrush);
 }
+
+/// What the left button does with dots. size: drags one larger; whiten: a brush that leaves none.
+enum class Hand { remove, add, move, size, whiten, lasso };
+constexpr auto names_of(Hand) {
+    return names("remove", "add", "move", "size", "whiten", "lasso");
+}
+
+struct RetouchTool {
+    bool on = false;
+    Hand hand = Hand::remove;
+    double brush_mm = 2;  // its radius on the paper
+};
 
 }  // namespace dapple

@@ -29,6 +29,8 @@ std::optional<CloseView> Pane::close_view(const DotsRequest& page, const Zoom& z
     const bool constant_density = zoom.mode == ZoomMode::constant_density;
     // Figure 8 places whole drawings only.
     if (page.drawing.placer != PlacerKind::exact) return {};
+    // Edits are of the page's own dots.
+    if (!page.drawing.edits.empty()) return {};
     // Relaxed dots are those of the page at any zoom.
     const bool moved = page_.plan.steps > 0;
     if (!constant_density && (moved || zoom.camera.pixels_per_unit < kCloseZoom)) return {};

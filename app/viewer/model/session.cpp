@@ -169,8 +169,11 @@ void Session::know_safe(std::optional<DrawingSettings> drawing) {
 bool Session::would_lose_changes(const fs::path& file) const {
     if (!has_changes_ || ends_as_tile(file)) return false;
     if (ends_as_project(file)) return true;
-    const Mask& mask = settings.drawing.mask;
-    return !project_path().empty() || (!mask.empty() && (!safe_ || safe_->mask != mask));
+    const auto lost = [&](auto DrawingSettings::*part) {
+        const auto& now = settings.drawing.*part;
+        return !now.empty() && (!safe_ || (*safe_).*part != now);
+    };
+    return !project_path().empty() || lost(&DrawingSettings::mask) || lost(&DrawingSettings::edits);
 }
 
 DotsRequest Session::as_shown(DotsRequest request) const {
@@ -192,8 +195,9 @@ void Session::open_sample() {
 
 void Session::open(const fs::path& path) {
     begin_reading({.picture = path}, all_opened_++);
-    // It was painted for another picture; undo brings it back.
+    // They were made for another picture; undo brings them back.
     readings_.back().mask_before = std::exchange(settings.drawing.mask, {});
+    readings_.back().edits_before = std::exchange(settings.drawing.edits, {});
     read(path);
     if (!banner.offer.empty()) banner = {};  // it was about the picture before
 }
@@ -255,8 +259,10 @@ void Session::go_back_before(const fs::path& picture) {
         if (failed->settings_before) {
             settings = std::move(failed->settings_before->settings);
             know_safe(std::move(failed->settings_before->safe));
-        } else if (settings.drawing.mask.empty())
-            settings.drawing.mask = std::move(failed->mask_before);
+        } else {
+            if (settings.drawing.mask.empty()) settings.drawing.mask = std::move(failed->mask_before);
+            if (settings.drawing.edits.empty()) settings.drawing.edits = std::move(failed->edits_before);
+        }
     }
     readings_.erase(failed);
 }

@@ -89,7 +89,7 @@ class Session {
     /// saved last, in a project or in a drawing that holds them, or that its picture was opened with. As far
     /// as remember() knows.
     bool has_changes() const { return has_changes_; }
-    /// Whether this file, opened, would take the place of some of them that are a project's or a mask.
+    /// Whether this file, opened, would take the place of some of them that are a project's, a mask or edits.
     bool would_lose_changes(const std::filesystem::path& file) const;
     /// The picture and all settings into a file, in case the program ends before they are saved. Throws as
     /// save_atomically().
@@ -143,6 +143,7 @@ class Session {
     /// The page's room within its margins, as wide and high as the picture was opened.
     glm::dvec2 room_for_crop() const;
     MaskBrush brush;
+    RetouchTool retouch;
     ShownPens shown_pens;
     std::optional<PlayedFilm> film;  // shown in the drawing's place
     Banner banner;
@@ -201,6 +202,7 @@ class Session {
         Source before;
         std::optional<SettingsBefore> settings_before = {};
         Mask mask_before = {};  // where the settings stay
+        std::string edits_before = {};
     };
 
     void read(const std::filesystem::path& picture);

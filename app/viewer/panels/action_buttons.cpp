@@ -162,8 +162,10 @@ void draw_canvas_menu(glm::vec2 corner, glm::vec2 size, const std::function<void
 }
 
 bool draw_canvas_tools(glm::vec2 corner, Column column, const std::function<void(Action)>& act) {
-    constexpr std::pair<Action, Column> kTools[] = {
-        {Action::crop, Column::crop}, {Action::mask, Column::mask}, {Action::rotate, Column::drawing}};
+    constexpr std::pair<Action, Column> kTools[] = {{Action::crop, Column::crop},
+                                                    {Action::mask, Column::mask},
+                                                    {Action::retouch, Column::retouch},
+                                                    {Action::rotate, Column::drawing}};
     const float air = 10 * ImGui::GetTextLineHeight() / 15;
     ImGui::SetNextWindowPos({corner.x + air, corner.y + air});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {air / 2.5f, air / 2.5f});

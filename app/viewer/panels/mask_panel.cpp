@@ -50,4 +50,24 @@ bool draw_mask_panel(DrawingSettings& drawing, MaskBrush& tool) {
     return cleared;
 }
 
+bool draw_retouch_panel(DrawingSettings& drawing, RetouchTool& tool) {
+    if (!section("Retouch")) return false;
+    segmented_row("Hand", tool.hand, names_of(tool.hand),
+                  "The left mouse button takes a dot away, adds one, drags one elsewhere or, away from its "
+                  "middle, larger; whitens with a brush; or draws a lasso around what is to go. No other dot "
+                  "moves, and what was done stays with another number of dots.");
+    slider_row("Whitener, mm", tool.brush_mm,
+               {.min = 0.2,
+                .max = 50,
+                .neutral = 2,
+                .curve = SliderCurve::logarithmic,
+                .hard_min = 0.05,
+                .hard_max = 500,
+                .tip = "The radius on the paper of the brush that whitens."});
+    const Absent absent(drawing.edits.empty() ? "Nothing is retouched." : nullptr);
+    if (wide_button("Take retouching back", "All dots are where tile and tone have them."))
+        drawing.edits.clear();
+    return true;
+}
+
 }  // namespace dapple

@@ -151,4 +151,9 @@ bool draw_pen_panel(DrawingSettings& settings, LengthUnit unit = LengthUnit::mm,
 /// The brush's rows, and a button that clears the drawing's mask. True when the mask changed.
 bool draw_mask_panel(DrawingSettings& drawing, MaskBrush& brush);
 
+// The tool "Retouch": what the mouse does with single dots.
+
+/// Its rows, and a button that takes all edits back. True while they are seen.
+bool draw_retouch_panel(DrawingSettings& drawing, RetouchTool& tool);
+
 }  // namespace dapple

@@ -83,6 +83,9 @@ constexpr Entry kEntries[] = {
      {Action::mask, "B", "Paint a mask: more, fewer or no dots", "Mask",
       "Paint where to have more, fewer or no dots."}},
     {In::drawing,
+     {Action::retouch, "D", "Retouch: remove, add, move or resize single dots", "Retouch",
+      "Takes single dots away, adds, moves or resizes them; a whitener and a lasso for many."}},
+    {In::drawing,
      {Action::rotate, "R", "Rotate the picture by a quarter turn", "Rotate",
       "Rotates the picture clockwise."}},
     {In::drawing,
@@ -138,7 +141,7 @@ constexpr NamedKey kKeys[] = {
     {"P", Key::p},       {"Q", Key::q},       {"S", Key::s},         {"T", Key::t},         {"V", Key::v},
     {"Y", Key::y},       {"Z", Key::z},       {"0", Key::zero},      {",", Key::comma},     {"Up", Key::up},
     {"Down", Key::down}, {"Left", Key::left}, {"Right", Key::right}, {"Space", Key::space}, {"F1", Key::f1},
-    {"F11", Key::f11},   {"K", Key::k},
+    {"F11", Key::f11},   {"K", Key::k},       {"D", Key::d},
 };
 
 bool is_arrow(Key key) {

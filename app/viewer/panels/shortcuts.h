@@ -45,6 +45,7 @@ enum class Action {
     redo,
     crop,  // tools, which take the column's place until they are asked for again
     mask,
+    retouch,
     rotate,
     variations,
     smaller_brush,

@@ -85,6 +85,7 @@ void SidePanel::draw_rows(Session& session) {
     draw_settings(session, nullptr);
     draw_crop(session);
     draw_mask_panel(session.settings.drawing, session.brush);
+    draw_retouch_panel(session.settings.drawing, session.retouch);
     section(kMethodTitle);
     draw_method_rows(session.settings, {session.tiles()});
     draw_compare_panel(session.settings, {session.tiles()});
@@ -98,6 +99,7 @@ void SidePanel::turn_to(Column column, Session& session) {
     session.cropping.on = column_ == Column::crop;
     session.brush.on = column_ == Column::mask;
     session.as_placed = column_ == Column::method;
+    session.retouch.on = column_ == Column::retouch;
 }
 
 // What is asked for by a list of all rows may be in another column.
@@ -111,6 +113,7 @@ void SidePanel::turn_to_revealed(Session& session) {
     const std::string& section = row->sections.empty() ? row->label : row->sections.front();
     const Column wanted = section == "Crop"         ? Column::crop
                           : section == "Mask"       ? Column::mask
+                          : section == "Retouch"    ? Column::retouch
                           : section == kMethodTitle ? Column::method
                                                     : Column::drawing;
     if (wanted != column_) turn_to(wanted, session);
@@ -151,6 +154,9 @@ OpenSections SidePanel::draw(Session& session, const SpectrumInfo& spectrum,
             break;
         case Column::mask:
             draw_mask_panel(settings.drawing, session.brush);
+            break;
+        case Column::retouch:
+            session.retouch.on = draw_retouch_panel(settings.drawing, session.retouch);
             break;
         case Column::method:
             draw_method(session, act);

@@ -288,6 +288,8 @@ void DrawingDocument::act(Action action, const Frame&) {
             return side_panel_.turn_to(Column::crop, session_);
         case Action::mask:
             return side_panel_.turn_to(Column::mask, session_);
+        case Action::retouch:
+            return side_panel_.turn_to(Column::retouch, session_);
         case Action::rotate:
             settings.drawing.page.quarter_turns = (settings.drawing.page.quarter_turns + 1) % 4;
             return;
@@ -377,7 +379,7 @@ void DrawingDocument::draw(const Frame& frame) {
     const bool can_paint =
         panels && session_.placed_once() && session_.settings.density.source == DensitySource::photograph;
     if (!can_paint) session_.cropping.on = false;
-    if (!can_paint || session_.cropping.on || session_.film) session_.brush.on = false;
+    if (!can_paint || session_.cropping.on || session_.film) session_.brush.on = session_.retouch.on = false;
     if (ImGuiIO& io = ImGui::GetIO(); session_.brush.on && io.KeyCtrl && !io.WantCaptureMouse) {
         const float turned = std::exchange(io.MouseWheel, 0.0f);  // which is not to zoom
         if (turned != 0) resize_brush(session_.brush, turned > 0 ? 1 : -1);
@@ -399,7 +401,7 @@ void DrawingDocument::draw(const Frame& frame) {
     show_changes(frame.window);
     film_player_.draw_bar({0, place.size.y}, player, frame.act);
     draw_over_canvas(place, frame.act);
-    canvas_.handle_mouse(place, session_.brush.on || cropping);
+    canvas_.handle_mouse(place, session_.brush.on || session_.retouch.on || cropping);
     draw_canvas_menu(place.corner, place.size, frame.act);
     if (variations_ && session_.placed_once() && !session_.film)
         choose_variation(place);
@@ -420,6 +422,8 @@ void DrawingDocument::draw(const Frame& frame) {
     if (panels && session_.placed_once())
         draw_status_line({0, place.size.y + player.y + captions.y}, status_size, info());
     mask_painter_.draw(mask, session_.brush, session_.pane().page(), canvas_.camera(), place);
+    retoucher_.retouch(session_.settings.drawing.edits, session_.retouch, session_.pane().page(),
+                       canvas_.camera(), place);
     if (framing) crop_frame_.draw(crop, page.plan.framing, page.plan.opened, canvas_.camera(), place);
     draw_margin_lines(seen.page().layout, canvas_.camera(), place);
     draw_sheet_lines(seen.page().layout, compared_.settings_of(seen).sheets, canvas_.camera(), place);
@@ -434,6 +438,7 @@ void DrawingDocument::draw(const Frame& frame) {
 
 Zoom DrawingDocument::zoom() const {
     ZoomMode mode = session_.settings.zoom_mode;
+    if (session_.retouch.on) mode = ZoomMode::drawing;  // which are the dots that it changes
     if (session_.film)
         mode = session_.film->kind == FilmKind::zoom ? ZoomMode::constant_density : ZoomMode::drawing;
     return {mode, canvas_.camera(), canvas_.enlargement()};
@@ -463,7 +468,8 @@ void DrawingDocument::draw_over_canvas(const CanvasPlace& place, const std::func
 }
 
 void DrawingDocument::explain_dot(const Pane& pane, const CanvasPlace& place) const {
-    if (!session_.settings.origins || session_.settings.loupe.on || session_.brush.on || !pane.page().request)
+    if (!session_.settings.origins || session_.settings.loupe.on || session_.brush.on ||
+        session_.retouch.on || !pane.page().request)
         return;
     const PlacerKind placer = pane.page().request->drawing.placer;
     const TileView& tile = pane.tile();
@@ -494,7 +500,7 @@ void DrawingDocument::show_changes(Window& window) {
         canvas_.fit();
         variations_ = false;
         const Column column = side_panel_.column();  // a tool is of the picture before
-        if (column == Column::crop || column == Column::mask) side_panel_.turn_to(Column::drawing, session_);
+        if (column != Column::method) side_panel_.turn_to(Column::drawing, session_);
     }
     if (pictures_fitted_ > 0) window.set_title((session_.has_changes() ? "*" : "") + name() + " - Dapple");
     show_changes(Side::left, session_.placed_once() ? &compared_.seen() : nullptr);

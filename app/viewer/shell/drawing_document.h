@@ -151,6 +151,7 @@ class DrawingDocument : public Document {
     int previewed_ = 0;       // and of the picture of that number
     Loupe loupe_;
     MaskPainter mask_painter_;
+    Retoucher retoucher_;
     CropFrame crop_frame_;
     Background<Mask> mask_reading_;
     FrameRate frame_rate_;

@@ -128,6 +128,7 @@ std::optional<DotOrigin> dot_under(const PlacedDrawing& drawing, const PlacedWit
         return std::nullopt;
     const Dots& piece = *found.piece;
     const float threshold = piece.threshold[found.index], critical = piece.critical[found.index];
+    if (threshold == 0) return std::nullopt;  // added by hand: of no tile
     const TileRank rank = tile_rank_of(threshold, with.tile_size);
     const int n = static_cast<int>(with.tile_size);
     DotOrigin dot{.position = {piece.x[found.index], piece.y[found.index]},

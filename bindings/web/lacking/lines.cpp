@@ -1,6 +1,7 @@
-// Contours and solid blacks, which the page does not draw: engine.cpp refuses settings that ask for them, so
-// that nothing here is called. With them the page would be too large.
+// Contours, solid blacks and edits, which the page does not draw: engine.cpp refuses settings that ask for
+// them, so that nothing here is called, but that no edits are read. With them the page would be too large.
 
+#include "core/drawing/edits.h"
 #include "core/lines/inking.h"
 #include "core/lines/line_field.h"
 
@@ -18,7 +19,7 @@ std::vector<InkLine> lines_shown(const std::vector<InkLine>&, double) {
 std::vector<InkLine> outside(const std::vector<InkLine>&, const std::vector<InkArea>&, double) {
     return {};
 }
-Inking within(Inking, const Grid<float>&) {
+Inking within(Inking, const std::function<bool(glm::dvec2)>&) {
     return {};
 }
 Inking fitted(Inking, const Grid<float>&, const DotsAmongLines&) {
@@ -49,5 +50,13 @@ InkArea flattened(InkArea area) {
 std::vector<Cubic> smooth_curve(std::span<const glm::dvec2>) {
     return {};
 }
+std::vector<Edit> parse_edits(std::string_view) {
+    return {};
+}
+IsBare bare_places(const std::vector<Edit>&, const PageLayout&) {
+    return {};
+}
+void apply(const std::vector<Edit>&, const PageLayout&, double, bool, bool, DotPieces&,
+           const std::function<void()>&) {}
 
 }  // namespace dapple

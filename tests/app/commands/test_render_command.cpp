@@ -64,7 +64,10 @@ TEST_CASE("a picture becomes an SVG of exactly as many circles as asked for, no 
     REQUIRE_MESSAGE(outcome.status == 0, outcome.err);
     CHECK(outcome.out.empty());
     CHECK(outcome.err.starts_with("3,000 dots, "));
-    CHECK(outcome.err.find(" on an AxiDraw V3: mostly raising and lowering the pen\n") != std::string::npos);
+    CHECK(std::ranges::count(outcome.err, '\n') == 1);
+    const Outcome advised =
+        run_dapple("render " + scene("cat.png") + " --dots 3000 --width 150 --advice -o " + scene("b.svg"));
+    CHECK(advised.err.find(" on an AxiDraw V3: mostly raising and lowering the pen\n") != std::string::npos);
     const Svg svg = read_svg(scene("cat.svg"));
     CHECK(svg.circles().size() == 3000);
     CHECK(svg.places().size() == 3000);
@@ -206,7 +209,7 @@ TEST_CASE("dots too small for the picture's tone are told, with a number and a w
     const Scene scene;
     const auto said = [&](const std::string& options) {
         const Outcome outcome =
-            run_dapple("render " + scene("cat.png") + " --width 96 --margin 0 --relax 5 -o " +
+            run_dapple("render " + scene("cat.png") + " --width 96 --margin 0 --relax 5 --advice -o " +
                        scene("r.svg") + " " + options);
         REQUIRE(outcome.status == 0);
         return outcome.err;
@@ -216,8 +219,7 @@ TEST_CASE("dots too small for the picture's tone are told, with a number and a w
     std::smatch told;
     REQUIRE(std::regex_search(
         pale, told,
-        std::regex(
-            "paler than the picture. Use ([0-9,]+) dots 0.4 mm wide, or make these dots ([0-9.]+) mm wide")));
+        std::regex("paler than the picture. Use ([0-9,]+) dots 0.4 mm wide.* these dots ([0-9.]+) mm wide")));
     const std::string dots = std::regex_replace(told[1].str(), std::regex(","), "");
     const std::string radius = std::to_string(std::stod(told[2]) / 2);
     CHECK(std::stod(dots) > 1000);

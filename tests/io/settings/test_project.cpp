@@ -82,7 +82,8 @@ ViewerSettings nothing_usual() {
         .solid = 0.8,
         .style = DrawingStyle::nearest,
         .mark = parse_dot_mark("M0,0 L1,1"),
-        .pen_width_mm = 0.7};
+        .pen_width_mm = 0.7,
+        .edits = "bare r1.5 2,3 4.25,5;bare 1,1 2,1 1,2;dot r0.5 p2 6,7;"};
     all.density = {DensitySource::grey, 0.3};
     all.picture_opacity = 0.4f;
     all.zoom_mode = ZoomMode::constant_density;
@@ -481,6 +482,10 @@ TEST_CASE("a project that is wrong says in a sentence which field, and what it m
     CHECK(complaint_about(R"({"dapple": 1, "drawing": {"tile": "gone.tile"}})") ==
           "p.dapple: drawing.tile cannot be found, gone.tile is not there; put that file back, or name "
           "another");
+    CHECK(complaint_about(R"({"dapple": 1, "drawing": {"edits": "dot 1,2;dot 3"}})") ==
+          "p.dapple: drawing.edits is wrong: edit 2, 'dot 3': '' is no number from -100000 to 100000");
+    CHECK(complaint_about(R"({"dapple": 1, "drawing": {"edits": ["dot 1,2"]}})") ==
+          "p.dapple: drawing.edits is a list; give a text in quotes");
     CHECK(complaint_about(R"({"dapple": 1, "drawing": {"mask": {"width": 513, "height": 1}}})") ==
           "p.dapple: drawing.mask has no width of 1 to 512");
     CHECK(complaint_about(

@@ -87,6 +87,8 @@ TEST_CASE("window and command save the same bytes, however the page is set up") 
                            .fit = PageFit::fill,
                            .quarter_turns = 1};
     DrawingSettings lines = drawing, spirals = drawing;
+    drawing.edits = spirals.edits = "bare r9 60,80 99,90;dot 61,81;dot r2 p2 99,33;bare 9,9 90,20 30,70;";
+    lines.edits = "bare r20 60,80;dot p3 61,81;";
     lines.pens = parse_pens("cmyk:0.4");
     lines.registration = true;
     lines.style = DrawingStyle::line;
@@ -155,6 +157,7 @@ TEST_CASE("window and command save the same sheets of a mural, and the same plan
     drawing.relax = 1;
     drawing.page.margins = Margins{10, 20, 30, 40};
     drawing.sheets = {.columns = 2, .rows = 2, .overlap_mm = 8};
+    drawing.edits = "bare r15 99,99;dot r3 100,101;";
     SavingWindow window(drawing);
     DrawingSettings lines = drawing, tiles = drawing;
     lines.style = DrawingStyle::line;

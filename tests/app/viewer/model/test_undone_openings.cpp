@@ -51,6 +51,7 @@ struct Openings {
     }
     void paint_mask() {
         session.settings.drawing.mask = Mask(Grid<std::uint8_t>(2, 2, 7));
+        session.settings.drawing.edits = "dot 1,2;";
         session.remember(false);
     }
     float brightness() const { return session.settings.drawing.tone.brightness; }
@@ -68,6 +69,7 @@ TEST_CASE("the opening of a picture is undone and done again, each picture with 
     session.open(all.folder / "two.pgm");
     REQUIRE(all.shows("two.pgm"));
     CHECK(session.settings.drawing.mask.empty());
+    CHECK(session.settings.drawing.edits.empty());
     CHECK(session.undo_words() == "opening two.pgm");
     all.change_brightness(0.2f);
     CHECK(session.undo_words() == "Brightness");
@@ -80,7 +82,7 @@ TEST_CASE("the opening of a picture is undone and done again, each picture with 
     REQUIRE(all.shows("one.pgm"));
     CHECK(session.settings == of_one);
     CHECK(session.picture_path() == all.folder / "one.pgm");
-    CHECK(session.undo_words() == "Mask");
+    CHECK(session.undo_words() == "Mask and 1 more");
     CHECK(session.redo_words() == "opening two.pgm");
     session.undo();
     CHECK(session.settings.drawing.mask.empty());
@@ -101,7 +103,7 @@ TEST_CASE("what was undone of a picture does not come back on another") {
     Session& session = all.session;
     all.paint_mask();
     session.undo();
-    REQUIRE(session.redo_words() == "Mask");
+    REQUIRE(session.redo_words() == "Mask and 1 more");
     session.open(all.folder / "two.pgm");
     REQUIRE(all.shows("two.pgm"));
     CHECK_FALSE(session.redo_words());

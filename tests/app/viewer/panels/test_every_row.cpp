@@ -26,6 +26,7 @@ const std::array<std::string, 2> kTiles{"paper16", "wild64"};
 /// What a click folds.
 const std::set<std::string> kFolds{"Crop",
                                    "Mask",
+                                   "Retouch",
                                    "Drawing",
                                    "Tone",
                                    "Page",
@@ -44,6 +45,7 @@ struct Everything {
     ViewerSettings all = {};
     LightsSettings lights = {};
     MaskBrush brush = {};
+    RetouchTool retouch = {};
     CropTool cropping = {};
     bool dialog = true;
     DialogChoice whose_dialog = DialogChoice::own;
@@ -68,6 +70,7 @@ Everything with_all_in_use() {
     all.drawing.page.height_mm = 150;
     all.drawing.page.margins = Margins{1, 2, 3, 4};
     all.drawing.sheets.columns = 2;
+    one.retouch.hand = Hand::whiten;
     all.drawing.pens = {.set = PenSet::own, .own = palette_of({.set = PenSet::cmyk, .width_mm = 0.3})};
     all.saving.gcode_template.text = "move G1 X{x} Y{y}\ndot G4 P{dwell}\n";
     return one;
@@ -106,6 +109,7 @@ std::vector<PanelToTest> all_panels(Everything& one) {
              draw_crop_rows(drawing.page, one.cropping, {400, 300}, {1, 1});
          }},
         {"mask", [&] { draw_mask_panel(drawing, one.brush); }},
+        {"retouch", [&] { draw_retouch_panel(drawing, one.retouch); }},
         {"dots", [&] { draw_dots_panel(drawing, {.dots = 12'345, .scale = 777, .dot_radius_mm = 0.25}); }},
         {"page",
          [&] {

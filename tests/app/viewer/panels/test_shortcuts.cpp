@@ -65,6 +65,7 @@ TEST_CASE("keys do what the help says, once a press") {
     CHECK(keyboard.press(Key::v) == Actions{Action::variations});
     CHECK(keyboard.press(Key::x) == Actions{Action::crop});
     CHECK(keyboard.press(Key::b) == Actions{Action::mask});
+    CHECK(keyboard.press(Key::d) == Actions{Action::retouch});
     CHECK(keyboard.press(Key::r) == Actions{Action::rotate});
     CHECK(keyboard.press(Key::f11) == Actions{Action::full_screen});
     CHECK(keyboard.press(Key::o).empty());
