@@ -229,11 +229,8 @@ void Retoucher::retouch(std::string& edits, const RetouchTool& tool, const Place
     if (!held || ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
     const std::string all = edits + edits_made(tool, shown, dot_mm);
     way_.clear();
-    try {
-        static_cast<void>(parse_edits(all));
-        edits = all;
-    } catch (const std::runtime_error&) {  // too many to be kept
-    }
+    static_cast<void>(parse_edits(all));
+    edits = all;
 }
 
 }  // namespace dapple

@@ -35,8 +35,9 @@ class MaskPainter {
 
 class Retoucher {
  public:
-    /// Adds to the edits what the button did to the whole page of a drawing, once it is let go, unless there
-    /// are too many. Draws, behind ImGui's windows, what it would do or does.
+    /// Adds to the edits what the button did to the whole page of a drawing, once it is let go. Draws, behind
+    /// ImGui's windows, what it would do or does. Throws std::runtime_error if there would be too many edits,
+    /// and adds none.
     void retouch(std::string& edits, const RetouchTool& tool, const PlacedDrawing& shown,
                  const Camera& camera, const CanvasPlace& place);
 

@@ -109,6 +109,9 @@ class Session {
     /// The tiles to choose from.
     std::span<const std::string> tiles() const { return tiles_.names(); }
 
+    /// What goes wrong in it is said by the banner; then false.
+    bool attempt(const std::function<void()>& work);
+
     /// Takes the events of the workers, waiting up to `patience` for a placing under way. Throws
     /// std::runtime_error if the first picture could not be read.
     void take_events(std::chrono::milliseconds patience);
@@ -220,8 +223,6 @@ class Session {
     void know_safe(std::optional<DrawingSettings> drawing);
     /// Throws std::runtime_error if it cannot be read, and nothing changes.
     void load_project(const std::filesystem::path& file);
-    /// What goes wrong is said; then false.
-    bool attempt(const std::function<void()>& work);
     /// Where it is in a file, it is one of tiles() from then on.
     void open_tile_of(DrawingSettings& drawing);
     void take(SavedSettings taken);

@@ -422,8 +422,10 @@ void DrawingDocument::draw(const Frame& frame) {
     if (panels && session_.placed_once())
         draw_status_line({0, place.size.y + player.y + captions.y}, status_size, info());
     mask_painter_.draw(mask, session_.brush, session_.pane().page(), canvas_.camera(), place);
-    retoucher_.retouch(session_.settings.drawing.edits, session_.retouch, session_.pane().page(),
-                       canvas_.camera(), place);
+    session_.attempt([&] {
+        retoucher_.retouch(session_.settings.drawing.edits, session_.retouch, session_.pane().page(),
+                           canvas_.camera(), place);
+    });
     if (framing) crop_frame_.draw(crop, page.plan.framing, page.plan.opened, canvas_.camera(), place);
     draw_margin_lines(seen.page().layout, canvas_.camera(), place);
     draw_sheet_lines(seen.page().layout, compared_.settings_of(seen).sheets, canvas_.camera(), place);
