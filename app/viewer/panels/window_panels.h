@@ -47,8 +47,8 @@ void draw_title(const std::string& name, const UndoInfo& info, const std::functi
 /// where it goes.
 void draw_canvas_menu(glm::vec2 corner, glm::vec2 size, const std::function<void(Action)>& act);
 
-/// Tools in a row over the canvas, from its corner on: crop, mask, retouch, rotate, compare. The one that is in
-/// the column is marked. True while Compare is held.
+/// Tools in a row over the canvas, from its corner on: crop, mask, retouch, rotate, compare. The one that is
+/// in the column is marked. True while Compare is held.
 bool draw_canvas_tools(glm::vec2 corner, Column column, const std::function<void(Action)>& act);
 
 /// `has_project`: there are settings to be saved with the picture.

@@ -40,7 +40,7 @@ Settings with_dots(std::uint64_t count, const std::string& edits = "") {
     return settings;
 }
 
-Drawing drawn(const Settings& settings) {
+Drawing edited_drawing(const Settings& settings) {
     Stippler stippler;
     stippler.set_picture(picture());
     return *stippler.draw(settings);
@@ -106,9 +106,9 @@ TEST_CASE(
             Settings settings = with_dots(count);
             settings.drawing.automatic_tone = false;
             settings.drawing.tone.contrast = contrast;
-            const std::vector<OnPaper> all = dots_of(drawn(settings));
+            const std::vector<OnPaper> all = dots_of(edited_drawing(settings));
             settings.drawing.edits = brush + lasso;
-            const Drawing edited = drawn(settings);
+            const Drawing edited = edited_drawing(settings);
             const std::vector<OnPaper> left = dots_of(edited);
             CHECK(all.size() == count);
             CHECK(left.size() < all.size());
@@ -121,9 +121,9 @@ TEST_CASE(
 TEST_CASE("an added dot lies where it was put, with the size that it was given, in an SVG too") {
     for (const std::uint64_t count : {500, 3000}) {
         Settings settings = with_dots(count);
-        const std::vector<OnPaper> all = dots_of(drawn(settings));
+        const std::vector<OnPaper> all = dots_of(edited_drawing(settings));
         settings.drawing.edits = "dot 61.25,33.5;dot r4 100,77;";
-        const Drawing edited = drawn(settings);
+        const Drawing edited = edited_drawing(settings);
         std::vector<OnPaper> dots = dots_of(edited);
         REQUIRE(dots.size() == all.size() + 2);
         const OnPaper sized = dots.back(), usual = dots[all.size()];
@@ -140,7 +140,7 @@ TEST_CASE("an added dot lies where it was put, with the size that it was given, 
               std::string::npos);  // 96 dpi
     }
     // Bare places come in their order, and there is no dot off the page.
-    const auto count = [](const std::string& edits) { return drawn(with_dots(500, edits)).count; };
+    const auto count = [](const std::string& edits) { return edited_drawing(with_dots(500, edits)).count; };
     const auto left = count("bare r4 60,40;");
     CHECK(left < 500);
     CHECK(count("bare r4 60,40;dot 60,41;") == left + 1);
@@ -151,7 +151,7 @@ TEST_CASE("an added dot lies where it was put, with the size that it was given, 
 TEST_CASE("sheets and a region have together what the page has, of edits too") {
     Settings settings =
         with_dots(1500, "bare r9 99,66 101,70;dot r3 100,66.6;dot 40,40;bare 5,5 60,5 20,60;dot 9,9;");
-    const Drawing whole = drawn(settings);
+    const Drawing whole = edited_drawing(settings);
     std::vector<OnPaper> all = dots_of(whole), together;
     for (const int column : {1, 2})
         for (const int row : {1, 2}) {
@@ -178,10 +178,10 @@ TEST_CASE("sheets and a region have together what the page has, of edits too") {
 TEST_CASE("of several pens each draws its own added dots, and a bare place has none of any") {
     Settings settings = with_dots(1500);
     settings.drawing.pens = parse_pens("cmyk:0.4");
-    const std::vector<OnPaper> all = dots_of(drawn(settings));
+    const std::vector<OnPaper> all = dots_of(edited_drawing(settings));
     settings.drawing.edits = "bare r15 70,50;dot p2 70,50;dot p9 75,50;";
     const auto bare = [](glm::vec2 p) { return glm::distance(p, {70, 50}) <= 15; };
-    std::vector<OnPaper> left = dots_of(drawn(settings)), wanted = without(all, bare);
+    std::vector<OnPaper> left = dots_of(edited_drawing(settings)), wanted = without(all, bare);
     CHECK(wanted.size() + 2 == left.size());
     const auto added = std::ranges::find_if(left, [&](const OnPaper& dot) { return bare(dot.at); });
     REQUIRE(added != left.end());
@@ -202,9 +202,9 @@ TEST_CASE("dots of several sizes, Figure 8's and lines are edited like others") 
         if (which == 0) settings.drawing.dot_size = {DotSizing::by_tone, 0.2, 0.4, 1.2};
         if (which == 1) settings.drawing.placer = PlacerKind::figure8;
         if (which == 2) settings.drawing.style = DrawingStyle::line;
-        const std::vector<OnPaper> all = dots_of(drawn(settings));
+        const std::vector<OnPaper> all = dots_of(edited_drawing(settings));
         settings.drawing.edits = "bare r12 100,70;dot 100,70;";
-        const Drawing edited = drawn(settings);
+        const Drawing edited = edited_drawing(settings);
         std::vector<OnPaper> left = dots_of(edited);
         const OnPaper added = left.back();
         left.pop_back();

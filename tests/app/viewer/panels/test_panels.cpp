@@ -73,7 +73,7 @@ TEST_CASE("five steps lead through the method, a click each, from whatever was s
 TEST_CASE("over the canvas Compare is held as long as the mouse holds it") {
     bool held = false;
     HeadlessUi ui([&] {
-        held = draw_canvas_tools({100, 100}, Column::drawing, [](Action) {});
+        held = draw_canvas_tools({10, 100}, Column::drawing, [](Action) {});
         ImGui::BringWindowToDisplayFront(ImGui::FindWindowByName("##tools"));  // from behind the others
     });
     ui.move_to(ui.at("Hold to compare", 0.5f));
