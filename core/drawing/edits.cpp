@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "core/drawing/settings.h"
 #include "core/failure.h"
@@ -147,6 +148,13 @@ void apply(const std::vector<Edit>& edits, const PageLayout& layout, double scal
     for (const auto& [edit, index] : own)
         if (FloatBuffer& radius = piece_of(*edit).radius; !radius.empty())
             radius[index] = static_cast<float>(edit->radius_mm / unit);
+}
+
+std::uint64_t duplicates_among(const DotPieces& dots) {
+    std::vector<std::pair<float, float>> places;
+    for_each_position(dots, [&](float x, float y) { places.emplace_back(x, y); });
+    std::sort(places.begin(), places.end());
+    return static_cast<std::uint64_t>(places.end() - std::unique(places.begin(), places.end()));
 }
 
 }  // namespace dapple

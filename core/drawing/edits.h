@@ -3,6 +3,7 @@
 // paper. So it holds for any number of dots and any tone: what was left bare stays bare, and what was added
 // stays. Edits come after placing and relaxing, and move no other dot.
 
+#include <cstdint>
 #include <functional>
 #include <glm/vec2.hpp>
 #include <string>
@@ -43,5 +44,8 @@ IsBare bare_places(const std::vector<Edit>& edits, const PageLayout& layout);
 /// give_sizes() gives all their usual radii before some get their own. `thresholds`: all are to have some.
 void apply(const std::vector<Edit>& edits, const PageLayout& layout, double scale, bool by_pen,
            bool thresholds, DotPieces& dots, const std::function<void()>& give_sizes);
+
+/// How many dots lie where another does.
+std::uint64_t duplicates_among(const DotPieces& dots);
 
 }  // namespace dapple

@@ -537,11 +537,7 @@ bool Pipeline::draw(const DrawingPlan& plan, Stippling& drawn, const DrawingWatc
 
 void Pipeline::finish(const DrawingPlan& plan, Stippling& drawn) {
     give_sizes_and_edit(plan, drawn.scale, drawn.dots);
-    if (drawn.duplicates == 0 || plan.edits.empty()) return;
-    std::vector<std::pair<float, float>> places;
-    for_each_position(drawn.dots, [&](float x, float y) { places.emplace_back(x, y); });
-    std::sort(places.begin(), places.end());
-    drawn.duplicates = static_cast<std::uint64_t>(places.end() - std::unique(places.begin(), places.end()));
+    if (drawn.duplicates > 0 && !plan.edits.empty()) drawn.duplicates = duplicates_among(drawn.dots);
 }
 
 bool Pipeline::settle(const DrawingPlan& plan, Stippling& drawn, const DrawingWatch& watch) {

@@ -138,8 +138,9 @@ TEST_CASE("the wheel zooms, F fits again, and neither places a dot anew") {
 TEST_CASE("zooming in with more dots keeps them as dense, and F brings the drawing back") {
     Display display;
     RunningViewer viewer;
-    const double scale = viewer.status()["scale"], zoom = viewer.status()["zoom"];
     open_the_method(viewer);
+    REQUIRE(viewer.shows([&] { return viewer.status()["all_steps"] == 0; }));  // where nothing is relaxed
+    const double scale = viewer.status()["scale"], zoom = viewer.status()["zoom"];
     viewer.click("more dots");
     viewer.move(380, 320);
     for (int i = 0; i < 12; ++i) viewer.wheel_up();

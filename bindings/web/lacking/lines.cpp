@@ -28,6 +28,9 @@ Inking fitted(Inking, const Grid<float>&, const DotsAmongLines&) {
 Grid<float> reduced(const Grid<float>&) {
     return {};
 }
+float value_at(const Grid<float>&, glm::vec2) {
+    return 0;
+}
 Grid<float> negative(Grid<float>) {
     return {};
 }
@@ -55,6 +58,9 @@ std::vector<Edit> parse_edits(std::string_view) {
 }
 IsBare bare_places(const std::vector<Edit>&, const PageLayout&) {
     return {};
+}
+std::uint64_t duplicates_among(const DotPieces&) {
+    return 0;
 }
 void apply(const std::vector<Edit>&, const PageLayout&, double, bool, bool, DotPieces&,
            const std::function<void()>&) {}
