@@ -14,7 +14,7 @@
 #include <system_error>
 
 #include "io/files/atomic_file.h"
-#include "io/files/child_output.h"
+#include "app/viewer/desktop/desktop_programs.h"
 #include "io/settings/xdg_folders.h"
 
 namespace dapple {

@@ -1,16 +1,17 @@
 #include "app/viewer/panels/settings_panels.h"
 
 #include <imgui.h>
-
 #include <algorithm>
 #include <array>
 #include <stdexcept>
 #include <string>
 
+#include "app/viewer/model/crop_percent.h"
 #include "app/viewer/widgets/widgets.h"
 #include "io/files/sheet_files.h"
 
 namespace dapple {
+
 namespace {
 
 constexpr const char* kNamed = "The paper sets the page size. For another, choose \"custom\".";
@@ -183,6 +184,48 @@ bool draw_page_panel(PageSetup& setup, Sheet& sheets, const PageLayout& drawn, L
     if (!subsection("More page settings", false)) return changed;
     changed |= margins.draw_others();
     return draw_sheets(sheets, drawn.page, unit) || changed;
+}
+
+namespace {
+
+// One side, away from the edge that it belongs to.
+bool side_row(const char* label, double& percent, double edge, const char* tip) {
+    return slider_row(label, percent, {.max = 100, .neutral = edge, .format = "%.1f", .tip = tip});
+}
+
+}  // namespace
+
+bool draw_crop_rows(PageSetup& setup, CropTool& tool, glm::ivec2 picture, glm::dvec2 room) {
+    if (!section("Crop")) {
+        tool.on = false;  // what cannot be seen is not to frame
+        return false;
+    }
+    std::optional<Crop>& crop = setup.crop;
+    Rectangle<double> box = crop_percent(crop, picture);
+    bool changed = false;
+    if (segmented_row("Proportions", tool.proportion, names_of(tool.proportion),
+                      "Proportions that the frame keeps while dragged. page: the paper within its margins. "
+                      "3:2: upright if the frame is.")) {
+        box = in_proportion(box, percent_proportion(tool.proportion, box, picture, room));
+        changed = tool.proportion != CropProportion::free;
+    }
+    switch_row("Crop frame", tool.on,
+               "Shows the whole picture with a frame around what is drawn: drag the frame, its edges or its "
+               "corners.");
+    changed |= side_row("From left, %", box.low.x, 0, "In percent of the picture's width, before rotation.");
+    changed |= side_row("From top, %", box.low.y, 0, "In percent of the picture's height, before rotation.");
+    changed |=
+        side_row("To right, %", box.high.x, 100, "In percent of the picture's width, before rotation.");
+    changed |=
+        side_row("To bottom, %", box.high.y, 100, "In percent of the picture's height, before rotation.");
+    if (changed) crop = crop_of_percent(box);
+    changed |= segmented_row("Rotate", setup.quarter_turns, std::array{"0", "90", "180", "270"},
+                             "Rotates the picture on the page, in degrees clockwise.");
+    changed |= switch_row(setting::mirror, setup.mirrored);
+    const Absent absent(crop ? nullptr : "The whole picture is drawn.");
+    if (!wide_button("Remove the crop", "Draws the whole picture.")) return changed;
+    crop.reset();
+    return true;
 }
 
 }  // namespace dapple
