@@ -18,7 +18,7 @@
 #include "io/files/sheet_files.h"
 #include "io/files/text_file.h"
 #include "io/files/tile_library.h"
-#include "io/film/save_film.h"
+#include "io/film/film.h"
 #include "io/settings/presets.h"
 
 namespace dapple {
