@@ -19,7 +19,6 @@
 #include "io/files/save_drawing.h"
 #include "io/files/tile_library.h"
 #include "io/film/film.h"
-#include "io/film/save_film.h"
 #include "io/progress_line.h"
 #include "io/settings/project.h"
 
