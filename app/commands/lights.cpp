@@ -30,6 +30,8 @@
 
 namespace dapple {
 
+namespace {
+
 struct LightsOptions {
     std::optional<std::filesystem::path> map;  // none: a sky of our own
     std::filesystem::path output;              // see kLightEndings; empty: a window
@@ -44,17 +46,6 @@ struct LightsOptions {
     std::optional<double> memory;              // bytes that it may take; none: what is available
     std::optional<double> exposure;            // of a PNG, in stops over the natural one
 };
-
-class LightsCommand {
- public:
-    LightsCommand(CLI::App& program, std::function<void(const ShownMap&)> show);
-
- private:
-    LightsOptions options_;
-    std::function<void(const ShownMap&)> show_;
-};
-
-namespace {
 
 namespace fs = std::filesystem;
 
@@ -120,8 +111,6 @@ void check_that_fit(const CLI::App& command, const LightsOptions& options) {
     }
 }
 
-}  // namespace
-
 // Reads, samples and saves; needs an output. Throws std::runtime_error with one sentence naming the file
 // that is wrong; what was at the output's place stays then.
 void lights(const LightsOptions& options) {
@@ -170,26 +159,29 @@ void compare_lights(const LightsOptions& options) {
     fmt::print("{}", comparison_table(comparison));
 }
 
-LightsCommand::LightsCommand(CLI::App& program, std::function<void(const ShownMap&)> show)
-    : show_(std::move(show)) {
+}  // namespace
+
+Command add_lights_command(CLI::App& program, std::function<void(const ShownMap&)> show) {
+    const auto kept = std::make_shared<LightsOptions>();
+    LightsOptions& options = *kept;
     CLI::App* const command =
         program.add_subcommand("lights", "Turn an environment map into a list of lights for a renderer");
-    LightRequest& request = options_.request;
+    LightRequest& request = options.request;
     command
-        ->add_option("map", options_.map,
+        ->add_option("map", options.map,
                      "A latitude-longitude map, .hdr or .exr; without one, a built-in sky")
         ->type_name("MAP");
     command
-        ->add_option("-o,--output", options_.output,
+        ->add_option("-o,--output", options.output,
                      std::string("The output file; its name ends in ") + kLightEndings +
                          ". Without it, a window opens")
         ->type_name("OUT");
     add_count(*command, "-n,--samples", request.count, kMostLightSamples, "Exactly this many samples")
         ->default_str(fmt::format("{}", request.count));
-    add_choice(*command, "--convention", options_.convention,
+    add_choice(*command, "--convention", options.convention,
                "How places on the map become directions: openexr, usd, mitsuba, blender or pbrt. Without it, "
                "pbrt for .pbrt, mitsuba for .xml, else openexr");
-    add_number(*command, "--rotate", options_.rotation_degrees, {.least = -1e6, .most = 1e6}, "DEG",
+    add_number(*command, "--rotate", options.rotation_degrees, {.least = -1e6, .most = 1e6}, "DEG",
                "Rotates the map about the up axis, by the right-hand rule");
     add_choice(
         *command, "--radiance", request.radiance,
@@ -203,22 +195,22 @@ LightsCommand::LightsCommand(CLI::App& program, std::function<void(const ShownMa
         "--mis-compensation", [&request] { request.importance = LightImportance::compensated; },
         "Samples only light above the mean: for multiple importance sampling");
     command
-        ->add_option("--pdf", options_.pdf,
+        ->add_option("--pdf", options.pdf,
                      "Also writes the density of the samples, per steradian at each pixel of the map, to an "
                      ".exr: for multiple importance sampling")
         ->type_name("FILE");
-    add_memory(*command, options_.memory);
-    command->add_flag("--clamp", options_.clamp,
+    add_memory(*command, options.memory);
+    command->add_flag("--clamp", options.clamp,
                       "Sets light below 0, which some programs leave in maps, to 0");
     add_choice(*command, "--placer", request.placer, "exact, or figure8 as printed in the article");
-    add_tile(*command, options_.tile);
-    add_choice(*command, "--ranking", options_.ranking,
+    add_tile(*command, options.tile);
+    add_choice(*command, "--ranking", options.ranking,
                "Order in which a tile's dots appear: paper, farthest, or energy, which has the least error");
     add_seed(*command, request.seed,
              "Another choice of samples for every number; 0 lays the tile on the map as it is");
     add_whole_number(*command, "--threads", request.threads, {.least = 0, .most = 1024},
                      "Processor cores to use, 0 for all; the samples are the same");
-    add_number(*command, "--exposure", options_.exposure, {.least = -100, .most = 100}, "STOPS",
+    add_number(*command, "--exposure", options.exposure, {.least = -100, .most = 100}, "STOPS",
                "PNG: how much lighter or darker to show the map");
     command->footer(
         "Weights are irradiances on a surface that faces the light; they sum to the map's total flux.\n\n"
@@ -231,41 +223,38 @@ LightsCommand::LightsCommand(CLI::App& program, std::function<void(const ShownMa
         "  dapple lights hall.hdr --compare -o hall.html        how good they are, compared with other "
         "methods");
     CLI::Option* const compare =
-        command->add_flag("--compare", options_.compare,
+        command->add_flag("--compare", options.compare,
                           std::string("Writes a report instead of a list: the error of irradiance against "
                                       "the number of samples, of several kinds; the output ends in ") +
                               kReportEndings);
-    command->callback([this, command, compare] {
-        if (options_.compare) {
-            if (!is_report(options_.output))
+    command->callback([&options, command, compare, show = std::move(show)] {
+        if (options.compare) {
+            if (!is_report(options.output))
                 throw CLI::ValidationError(compare->get_name(), std::string("needs an output that ends in ") +
                                                                     kReportEndings +
                                                                     ", such as -o report.html");
-            check_that_fit(*command, options_);
-            check_apart(*command, {"--output"}, {{options_.output, "the report"}});
-            return compare_lights(options_);
+            check_that_fit(*command, options);
+            check_apart(*command, {"--output"}, {{options.output, "the report"}});
+            return compare_lights(options);
         }
-        if (options_.output.empty()) {
-            check_that_fit(*command, options_);
-            return show_({.map = options_.map,
-                          .request = options_.request,
-                          .tile = options_.tile,
-                          .stops = options_.exposure.value_or(0),
-                          .turn_degrees = options_.rotation_degrees});
+        if (options.output.empty()) {
+            check_that_fit(*command, options);
+            return show({.map = options.map,
+                         .request = options.request,
+                         .tile = options.tile,
+                         .stops = options.exposure.value_or(0),
+                         .turn_degrees = options.rotation_degrees});
         }
-        if (!light_file_of(options_.output))
+        if (!light_file_of(options.output))
             throw CLI::ValidationError("--output",
-                                       options_.output.string() + " does not end in " + kLightEndings);
-        check_that_fit(*command, options_);
-        std::vector<FileInUse> written{{options_.output, "the lights"}};
-        if (options_.pdf) written.push_back({*options_.pdf, "the density"});
+                                       options.output.string() + " does not end in " + kLightEndings);
+        check_that_fit(*command, options);
+        std::vector<FileInUse> written{{options.output, "the lights"}};
+        if (options.pdf) written.push_back({*options.pdf, "the density"});
         check_apart(*command, {"--output", "--pdf"}, written);
-        lights(options_);
+        lights(options);
     });
-}
-
-Command add_lights_command(CLI::App& program, std::function<void(const ShownMap&)> show) {
-    return std::make_shared<LightsCommand>(program, std::move(show));
+    return kept;
 }
 
 }  // namespace dapple

@@ -36,25 +36,18 @@ constexpr auto names_of(MaskOrder) {
     return names("clusters", "tile");
 }
 
-class MaskCommand {
- public:
-    explicit MaskCommand(CLI::App& program);
-
- private:
-    void check(const CLI::App& command) const;
-    void save() const;
-
-    ThresholdSize size_;
-    MaskOrder order_ = MaskOrder::clusters;
-    VoidAndClusterOptions clusters_;
-    std::string tile_ = kDefaultTile;
-    int bits_ = 8;
-    double gain_ = 0;
-    std::filesystem::path output_;
-    std::optional<std::filesystem::path> screens_;  // a picture
-};
-
 namespace {
+
+struct MaskOptions {
+    ThresholdSize size;
+    MaskOrder order = MaskOrder::clusters;
+    VoidAndClusterOptions clusters;
+    std::string tile = kDefaultTile;
+    int bits = 8;
+    double gain = 0;
+    std::filesystem::path output;
+    std::optional<std::filesystem::path> screens;  // a picture
+};
 
 // "256", "320x200" or "64x64x16".
 ThresholdSize size_in(const std::string& text) {
@@ -107,46 +100,94 @@ Grid<float> light_of(const std::filesystem::path& picture) {
     return std::move(read.light);
 }
 
+void check(const CLI::App& command, const MaskOptions& options) {
+    if (ending_of(options.output) != ".png")
+        throw CLI::ValidationError("--output",
+                                   options.output.string() + ": a mask is a PNG; let its name end in .png");
+    if (options.order == MaskOrder::tile) {
+        refuse(command, {"--sigma", "--slice-sigma", "--seed"},
+               "applies to --from clusters only; leave it out");
+        if (options.size.slices > 1 || options.size.width != options.size.height)
+            throw CLI::ValidationError("--size", "a mask from a tile is square; give one side, as in 256");
+    } else {
+        refuse(command, {"--tile"}, "applies to --from tile only; give that too");
+        if (options.size.slices == 1)
+            refuse(command, {"--slice-sigma"},
+                   "applies to several slices only; give a size such as 64x64x16");
+    }
+    std::vector<FileInUse> written;
+    for (const std::filesystem::path& file : files_of(options.output, options.size.slices))
+        written.push_back({file, "the mask"});
+    if (options.screens) written.push_back({beside(options.output, "screened"), "the screened picture"});
+    check_apart(command, {"--output"}, written);
+}
+
+void save(const MaskOptions& options) {
+    const std::vector<std::filesystem::path> files = files_of(options.output, options.size.slices);
+    check_can_save(files.front());
+    const Grid<float> picture = options.screens ? light_of(*options.screens) : Grid<float>();
+    ThresholdMask mask;
+    if (options.order == MaskOrder::tile) {
+        RankedTile tile = tile_named(options.tile);
+        mask = tile_mask(tile, options.size.width);
+    } else {
+        ProgressLine line;
+        mask = void_and_cluster(options.size, options.clusters, [&](double share) {
+            line.show(share, "finding the voids");
+            return true;
+        });
+    }
+    for (std::size_t slice = 0; slice < files.size(); ++slice) {
+        const Grid<float> thresholds = thresholds_of(mask, static_cast<int>(slice), options.gain);
+        const auto save_mask = options.bits == 16 ? save_grey<std::uint16_t> : save_grey<std::uint8_t>;
+        save_next(slice, [&] { save_mask(files[slice], thresholds); });
+        if (options.screens && slice == 0)
+            save_grey<std::uint8_t>(beside(options.output, "screened"), screened(picture, thresholds));
+    }
+}
+
 }  // namespace
 
-MaskCommand::MaskCommand(CLI::App& program) {
+Command add_mask_command(CLI::App& program) {
+    const auto kept = std::make_shared<MaskOptions>();
+    MaskOptions& options = *kept;
     CLI::App* const command = program.add_subcommand(
         "mask",
         "Make a tileable threshold mask (blue noise), which turns pictures into dots on a pixel grid");
     add_text(
-        *command, "--size", "WxH", [this](const std::string& text) { size_ = size_in(text); },
+        *command, "--size", "WxH", [&options](const std::string& text) { options.size = size_in(text); },
         "Size in pixels: 256, or 320x200; 64x64x16 for the 16 pictures of a film, even in each and over time")
         ->default_str("64");
-    add_choice(*command, "--from", order_,
+    add_choice(*command, "--from", options.order,
                "clusters: void and cluster, the most even; tile: the order of a self-similar tile's dots");
-    add_number(*command, "--sigma", clusters_.sigma, {.least = 0.5, .most = 4}, "PIXELS",
+    add_number(*command, "--sigma", options.clusters.sigma, {.least = 0.5, .most = 4}, "PIXELS",
                "clusters: how far a pixel affects others")
         ->default_str("1.5");
-    add_number(*command, "--slice-sigma", clusters_.slice_sigma, {.least = 0.5, .most = 8}, "SLICES",
+    add_number(*command, "--slice-sigma", options.clusters.slice_sigma, {.least = 0.5, .most = 8}, "SLICES",
                "clusters of several slices: how far a pixel affects itself before and after")
         ->default_str("1.5");
-    add_seed(*command, clusters_.seed, "clusters: another seed gives another mask");
-    add_tile(*command, tile_);
+    add_seed(*command, options.clusters.seed, "clusters: another seed gives another mask");
+    add_tile(*command, options.tile);
     add_text(
         *command, "--bits", "8|16",
-        [this](const std::string& text) {
+        [&options](const std::string& text) {
             if (text != "8" && text != "16")
                 throw std::runtime_error(text + " is not possible; give 8 or 16");
-            bits_ = text == "8" ? 8 : 16;
+            options.bits = text == "8" ? 8 : 16;
         },
         "Bits per threshold: 8 have 256 steps; 16 give every pixel of a mask up to 256 x 256 its own")
         ->default_str("8");
-    add_number(*command, "--gain", gain_, {.least = 0, .most = 4}, "PIXELS",
+    add_number(*command, "--gain", options.gain, {.least = 0, .most = 4}, "PIXELS",
                "How far a printed pixel spreads beyond its edges; greys then print as dark as they should")
         ->default_str("0");
     command
         ->add_option(
-            "-o,--output", output_,
+            "-o,--output", options.output,
             "The mask; its name ends in .png. Several slices become mask-00.png, mask-01.png and so on")
         ->type_name("FILE")
         ->required();
     command
-        ->add_option("--screen", screens_,
+        ->add_option("--screen", options.screens,
                      "Also turns this picture into dots with the mask: mask-screened.png beside mask.png")
         ->type_name("IMAGE");
     command->footer(
@@ -157,60 +198,11 @@ MaskCommand::MaskCommand(CLI::App& program) {
         "  dapple mask --size 128 --bits 16 --gain 0.3 -o mask.png --screen cat.jpg\n"
         "  dapple mask --size 64x64x16 -o film.png             film-00.png to film-15.png\n"
         "  dapple mask --size 256 --from tile -o mask.png      the order of the built-in tile");
-    command->callback([this, command] {
-        check(*command);
-        save();
+    command->callback([&options, command] {
+        check(*command, options);
+        save(options);
     });
-}
-
-void MaskCommand::check(const CLI::App& command) const {
-    if (ending_of(output_) != ".png")
-        throw CLI::ValidationError("--output",
-                                   output_.string() + ": a mask is a PNG; let its name end in .png");
-    if (order_ == MaskOrder::tile) {
-        refuse(command, {"--sigma", "--slice-sigma", "--seed"},
-               "applies to --from clusters only; leave it out");
-        if (size_.slices > 1 || size_.width != size_.height)
-            throw CLI::ValidationError("--size", "a mask from a tile is square; give one side, as in 256");
-    } else {
-        refuse(command, {"--tile"}, "applies to --from tile only; give that too");
-        if (size_.slices == 1)
-            refuse(command, {"--slice-sigma"},
-                   "applies to several slices only; give a size such as 64x64x16");
-    }
-    std::vector<FileInUse> written;
-    for (const std::filesystem::path& file : files_of(output_, size_.slices))
-        written.push_back({file, "the mask"});
-    if (screens_) written.push_back({beside(output_, "screened"), "the screened picture"});
-    check_apart(command, {"--output"}, written);
-}
-
-void MaskCommand::save() const {
-    const std::vector<std::filesystem::path> files = files_of(output_, size_.slices);
-    check_can_save(files.front());
-    const Grid<float> picture = screens_ ? light_of(*screens_) : Grid<float>();
-    ThresholdMask mask;
-    if (order_ == MaskOrder::tile) {
-        RankedTile tile = tile_named(tile_);
-        mask = tile_mask(tile, size_.width);
-    } else {
-        ProgressLine line;
-        mask = void_and_cluster(size_, clusters_, [&](double share) {
-            line.show(share, "finding the voids");
-            return true;
-        });
-    }
-    for (std::size_t slice = 0; slice < files.size(); ++slice) {
-        const Grid<float> thresholds = thresholds_of(mask, static_cast<int>(slice), gain_);
-        const auto save_mask = bits_ == 16 ? save_grey<std::uint16_t> : save_grey<std::uint8_t>;
-        save_next(slice, [&] { save_mask(files[slice], thresholds); });
-        if (screens_ && slice == 0)
-            save_grey<std::uint8_t>(beside(output_, "screened"), screened(picture, thresholds));
-    }
-}
-
-Command add_mask_command(CLI::App& program) {
-    return std::make_shared<MaskCommand>(program);
+    return kept;
 }
 
 }  // namespace dapple

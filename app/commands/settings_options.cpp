@@ -1,10 +1,13 @@
 #include "app/commands/settings_options.h"
 
+#include <fmt/format.h>
+
 #include <stdexcept>
 #include <string>
 #include <system_error>
 #include <utility>
 
+#include "app/commands/commands.h"
 #include "core/failure.h"
 #include "core/settings/drawing_fields.h"
 #include "core/text/shown_text.h"
@@ -147,6 +150,18 @@ void check_finer(const CLI::App& command, const DrawingSettings& drawing) {
     if (drawing.mask.has_finer() && !can_be_finer(drawing))
         refuse(command, {"--finer"},
                "makes dots smaller, which lines and dots as wide as their pen cannot be; leave it out");
+}
+
+// Prints a line each: the name, a tab, what it is about.
+void add_presets_command(CLI::App& program) {
+    program
+        .add_subcommand("presets",
+                        "List the presets for render --preset: built-in ones and those that the window saved")
+        ->callback([] {
+            for (const Preset& preset : built_in_presets()) fmt::print("{}\t{}\n", preset.name, preset.about);
+            for (const std::string& name : own_presets(within_folder(config_folder(), "presets")))
+                fmt::print("{}\tyour preset\n", name);
+        });
 }
 
 }  // namespace dapple

@@ -22,20 +22,13 @@
 
 namespace dapple {
 
-class TileCommand {
- public:
-    explicit TileCommand(CLI::App& program);
-
- private:
-    void add_list(CLI::App& parent);
-    void add_show(CLI::App& parent);
-
-    std::string name_;  // TILE
-    std::filesystem::path output_;
-    std::optional<RankingMethod> ranking_;  // none: the tile's own
-};
-
 namespace {
+
+struct ShowOptions {
+    std::string name;  // TILE
+    std::filesystem::path output;
+    std::optional<RankingMethod> ranking;  // none: the tile's own
+};
 
 void list_tiles(std::ostream& out) {
     out << fmt::format("{:<14} {:>5}  {:>6}  {:<8}  {}\n", "name", "kinds", "points", "rule", "");
@@ -48,7 +41,9 @@ void list_tiles(std::ostream& out) {
 
 }  // namespace
 
-TileCommand::TileCommand(CLI::App& program) {
+Command add_tile_command(CLI::App& program) {
+    const auto kept = std::make_shared<ShowOptions>();
+    ShowOptions& options = *kept;
     CLI::App* const tile = program.add_subcommand("tile", "List and show tiles");
     tile->require_subcommand(1);
     tile->footer(
@@ -58,39 +53,27 @@ TileCommand::TileCommand(CLI::App& program) {
         "  dapple tile show paper16 --ranking paper -o paper16.svg\n"
         "                                                     its points, copies and ranks, as in the paper\n"
         "  dapple render cat.jpg -o cat.svg --tile mine.tile");
-    add_list(*tile);
-    add_show(*tile);
-}
-
-void TileCommand::add_list(CLI::App& parent) {
-    parent.add_subcommand("list", "The built-in tiles")->callback([] { list_tiles(std::cout); });
-}
-
-void TileCommand::add_show(CLI::App& parent) {
-    CLI::App* const command =
-        parent.add_subcommand("show", "Draw a tile's points, self-similarity and ranks");
+    tile->add_subcommand("list", "The built-in tiles")->callback([] { list_tiles(std::cout); });
+    CLI::App* const command = tile->add_subcommand("show", "Draw a tile's points, self-similarity and ranks");
     command
-        ->add_option("tile", name_,
+        ->add_option("tile", options.name,
                      "A built-in tile's name, a tile file, or two integers as in 14217,2895/16")
         ->type_name("TILE")
         ->required();
-    command->add_option("-o,--output", output_, "The drawing; its name ends in .svg")
+    command->add_option("-o,--output", options.output, "The drawing; its name ends in .svg")
         ->type_name("FILE")
         ->required();
-    add_ranking(*command, ranking_);
-    command->callback([this, command] {
-        if (ending_of(output_) != ".svg")
-            throw CLI::ValidationError("--output", output_.string() + " does not end in .svg");
-        check_apart(*command, {"--output"}, {{output_, "the figure"}});
-        check_can_save(output_);
-        StoredTile stored = load_tile(name_);
-        if (ranking_) stored = ranked(std::move(stored.tile), *ranking_);
-        save_atomically(output_, [&](std::ostream& out) { write_tile_figure(out, stored); });
+    add_ranking(*command, options.ranking);
+    command->callback([&options, command] {
+        if (ending_of(options.output) != ".svg")
+            throw CLI::ValidationError("--output", options.output.string() + " does not end in .svg");
+        check_apart(*command, {"--output"}, {{options.output, "the figure"}});
+        check_can_save(options.output);
+        StoredTile stored = load_tile(options.name);
+        if (options.ranking) stored = ranked(std::move(stored.tile), *options.ranking);
+        save_atomically(options.output, [&](std::ostream& out) { write_tile_figure(out, stored); });
     });
-}
-
-Command add_tile_command(CLI::App& program) {
-    return std::make_shared<TileCommand>(program);
+    return kept;
 }
 
 }  // namespace dapple

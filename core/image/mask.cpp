@@ -67,14 +67,16 @@ std::uint8_t level_of(BrushKind kind) {
                                       : kNeutralLevel;
 }
 
-}  // namespace
-
+// How much of the brush is at a distance from the stroke, in radii: 1 up to 1 - softness, then falling as
+// 3t^2 - 2t^3 does to 0 at 1.
 double brush_cover(double radii, double softness) {
     if (radii >= 1) return 0;
     if (radii <= 1 - softness) return 1;
     const double t = (1 - radii) / softness;
     return t * t * (3 - 2 * t);
 }
+
+}  // namespace
 
 BrushStroke::BrushStroke(const Mask& mask, glm::ivec2 picture, const Brush& brush) : brush_(brush) {
     const glm::ivec2 size = mask_size(picture);

@@ -132,10 +132,6 @@ struct Brush {
     bool operator==(const Brush&) const = default;
 };
 
-/// How much of the brush is at a distance from the stroke, in radii: 1 up to 1 - softness, then falling as
-/// 3t^2 - 2t^3 does to 0 at 1.
-double brush_cover(double radii, double softness);
-
 /// From pressing the button to letting it go. Where it goes over itself it does not become stronger, so that
 /// it depends neither on how fast the mouse moves nor on how often it is asked.
 class BrushStroke {

@@ -217,6 +217,20 @@ Parts covered_parts(int dx, int dy, double gain) {
     return parts;
 }
 
+// Ranks over a whole mask's pixels, any distinct numbers, become those within each slice.
+ThresholdMask mask_by_order(const ThresholdSize& size, const std::vector<std::uint32_t>& order) {
+    ThresholdMask mask{size, std::vector<std::uint32_t>(size.all())};
+    std::vector<std::uint32_t> pixels(size.of_slice());
+    for (int slice = 0; slice < size.slices; ++slice) {
+        const std::size_t first = pixels.size() * static_cast<std::size_t>(slice);
+        std::iota(pixels.begin(), pixels.end(), 0u);
+        std::ranges::sort(pixels, {}, [&](std::uint32_t pixel) { return order[first + pixel]; });
+        for (std::size_t rank = 0; rank < pixels.size(); ++rank)
+            mask.ranks[first + pixels[rank]] = static_cast<std::uint32_t>(rank);
+    }
+    return mask;
+}
+
 }  // namespace
 
 ThresholdMask void_and_cluster(const ThresholdSize& size, const VoidAndClusterOptions& options,
@@ -292,19 +306,6 @@ void check_threshold_size(const ThresholdSize& size) {
     if (size.all() > kMostThresholdPixels)
         throw failure("{} x {} x {} pixels: a mask has at most {} in all", size.width, size.height,
                       size.slices, kMostThresholdPixels);
-}
-
-ThresholdMask mask_by_order(const ThresholdSize& size, const std::vector<std::uint32_t>& order) {
-    ThresholdMask mask{size, std::vector<std::uint32_t>(size.all())};
-    std::vector<std::uint32_t> pixels(size.of_slice());
-    for (int slice = 0; slice < size.slices; ++slice) {
-        const std::size_t first = pixels.size() * static_cast<std::size_t>(slice);
-        std::iota(pixels.begin(), pixels.end(), 0u);
-        std::ranges::sort(pixels, {}, [&](std::uint32_t pixel) { return order[first + pixel]; });
-        for (std::size_t rank = 0; rank < pixels.size(); ++rank)
-            mask.ranks[first + pixels[rank]] = static_cast<std::uint32_t>(rank);
-    }
-    return mask;
 }
 
 Grid<float> thresholds_of(const ThresholdMask& mask, int slice, double gain) {

@@ -41,9 +41,6 @@ struct ThresholdMask {
     }
 };
 
-/// Ranks over a whole mask's pixels, any distinct numbers, become those within each slice.
-ThresholdMask mask_by_order(const ThresholdSize& size, const std::vector<std::uint32_t>& order);
-
 /// The thresholds of a slice: the share of ink, 0..1, from which on each pixel is inked, by which a grey
 /// prints as dark as it is. `gain` is how far a printed pixel reaches beyond its edges (pixels, 0..4), as ink
 /// spreads and pens are wider than they are set: fewer pixels then print the same grey. Without a gain

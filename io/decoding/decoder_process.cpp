@@ -62,22 +62,15 @@ void write_all(int to, const char* bytes, std::size_t size) {
 // Whether a picture of that format, as far as it is there, has come to its end. `chunk`: of a PNG, where its
 // next piece begins, which moves on.
 bool is_whole(PictureFormat format, int file, std::uint64_t size, std::uint64_t& chunk) {
-    constexpr std::uint64_t kHead = 8, kChecksum = 4, kNowhere = std::uint64_t{1} << 62;
-    std::array<unsigned char, kHead> head{};
-    const auto read = [&](std::uint64_t at) {
-        return at + kHead <= size && ::pread(file, head.data(), kHead, static_cast<off_t>(at)) == kHead;
-    };
-    if (format == PictureFormat::webp)
-        return read(0) && size >= kHead + (std::uint64_t{head[7]} << 24 | std::uint64_t{head[6]} << 16 |
-                                           std::uint64_t{head[5]} << 8 | head[4]);
+    constexpr std::uint64_t kHead = 8, kChecksum = 4, kEnd = 0x49454e44;  // "IEND"
+    constexpr std::uint64_t kNowhere = std::uint64_t{1} << 62;
+    if (format == PictureFormat::webp) return size >= kHead + number_in_file(file, 4, 4, false);
     if (format != PictureFormat::png) return false;
-    while (read(chunk)) {
-        const std::uint64_t next = chunk + kHead + kChecksum +
-                                   (std::uint64_t{head[0]} << 24 | std::uint64_t{head[1]} << 16 |
-                                    std::uint64_t{head[2]} << 8 | head[3]);
-        const std::string_view name(reinterpret_cast<const char*>(head.data()) + 4, 4);
-        if (name == "IEND") return size >= next;
-        chunk = name.front() == 0 ? kNowhere : next;
+    while (chunk + kHead <= size) {
+        const std::uint64_t next = chunk + kHead + kChecksum + number_in_file(file, chunk, 4);
+        const std::uint64_t name = number_in_file(file, chunk + 4, 4);
+        if (name == kEnd) return size >= next;
+        chunk = name >> 24 == 0 ? kNowhere : next;
     }
     return false;
 }

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "core/analysis/discrepancy.h"
+#include "core/analysis/report.h"
 #include "core/text/shown_text.h"
 #include "io/files/atomic_file.h"
 #include "io/files/text_file.h"

@@ -17,7 +17,7 @@
 #include "io/command_line/program.h"
 #include "io/files/atomic_file.h"
 #include "io/files/text_file.h"
-#include "io/film/save_film.h"
+#include "io/film/film.h"
 #include "io/progress_line.h"
 #include "lab/volume/resample_cloud.h"
 #include "lab/volume/settle_volume.h"

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/analysis/discrepancy.h"
+#include "core/analysis/report.h"
 #include "core/analysis/distances.h"
 #include "core/analysis/periodogram.h"
 #include "core/image/ink.h"

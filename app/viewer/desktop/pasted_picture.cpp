@@ -13,8 +13,8 @@
 #include <string>
 #include <system_error>
 
+#include "app/viewer/desktop/desktop_programs.h"
 #include "io/files/atomic_file.h"
-#include "io/files/child_output.h"
 #include "io/settings/xdg_folders.h"
 
 namespace dapple {

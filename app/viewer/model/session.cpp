@@ -7,19 +7,19 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "app/viewer/desktop/desktop_programs.h"
 #include "app/viewer/desktop/pasted_picture.h"
 #include "core/drawing/write_drawing.h"
 #include "core/settings/fields.h"
 #include "core/text/shown_text.h"
 #include "io/files/atomic_file.h"
-#include "io/files/child_output.h"
 #include "io/files/picture.h"
 #include "io/files/save_drawing.h"
 #include "io/files/separations.h"
 #include "io/files/sheet_files.h"
 #include "io/files/text_file.h"
 #include "io/files/tile_library.h"
-#include "io/film/save_film.h"
+#include "io/film/film.h"
 #include "io/settings/presets.h"
 
 namespace dapple {

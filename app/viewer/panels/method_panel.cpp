@@ -1,16 +1,19 @@
 #include "app/viewer/panels/method_panels.h"
 
 #include <imgui.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "app/viewer/widgets/row.h"
 #include "app/viewer/widgets/widgets.h"
+#include "core/drawing/settings.h"
+#include "io/files/tile_library.h"
 
 namespace dapple {
+
 namespace {
 
 bool draw_placer(DrawingSettings& settings) {
@@ -136,6 +139,93 @@ bool draw_method_rows(ViewerSettings& settings, const TileList& tiles) {
     changed |= switch_row("Every frame", settings.every_frame,
                           "Places all dots anew in every frame and shows the frame rate.");
     return changed;
+}
+
+bool tile_row(const char* label, std::string& tile, const TileList& list, const char* tip) {
+    std::vector<std::string> tiles(list.names.begin(), list.names.end());
+    auto chosen = static_cast<int>(std::ranges::find(tiles, tile) - tiles.begin());
+    if (chosen == static_cast<int>(tiles.size())) tiles.push_back(tile);
+
+    std::vector<std::string> words;
+    for (const std::string& name : tiles) {
+        const std::string shown = short_tile_name(name);
+        const bool alone = std::ranges::count(tiles, shown, short_tile_name) == 1;
+        words.push_back(alone ? shown : name);
+    }
+    if (list.open_file) words.emplace_back("From a file...");
+    std::vector<const char*> entries;
+    for (const std::string& word : words) entries.push_back(word.c_str());
+
+    const auto usual = std::ranges::find(tiles, kDefaultTile);
+    const ListLook look{.by_arrows = static_cast<int>(tiles.size()),
+                        .usual = usual == tiles.end() ? -1 : static_cast<int>(usual - tiles.begin())};
+    if (!choice_row(label, chosen, entries, tip, look)) return false;
+    if (chosen == static_cast<int>(tiles.size())) {
+        list.open_file();
+        return false;
+    }
+    tile = tiles[static_cast<std::size_t>(chosen)];
+    return true;
+}
+
+namespace {
+
+bool draw_right_side(Comparison& right, const TileList& tiles) {
+    bool changed = tile_row("Right tile", right.tile, tiles, "The tile of the right side's dots.");
+    if (choice_row("Right placer", right.placer, std::array{"exact", "Figure 8"},
+                   "How the right side's dots are placed: exactly, or as printed in the article.")) {
+        DrawingSettings drawing;
+        drawing.tile = right.tile;
+        drawing.placer = right.placer;
+        right.tile = tile_in_use(drawing);
+        changed = true;
+    }
+    const bool counted = right.placer == PlacerKind::exact;
+    {
+        const Absent absent(why_only_exact(right.placer));
+        changed |= ranking_row("Right ranking", right.ranking);
+    }
+    return segmented_row("Right side has", right.by,
+                         std::array{"same scale", counted ? "same count" : "similar count"},
+                         "What both sides share. Figure 8 has no exact count: it gets the scale for about as "
+                         "many distinct dots.") ||
+           changed;
+}
+
+bool draw_split(ViewerSettings& settings, const TileList& tiles) {
+    Comparison& right = settings.comparison;
+    bool on = right.on, changed = false;
+    if (switch_row("Split view", on,
+                   "Shows another tile or placer to the right of a line that you can drag.")) {
+        right = toggled(right, settings.drawing);
+        changed = true;
+    }
+    {
+        const Absent absent(right.on ? nullptr : "Applies to the split view only.");
+        changed |= draw_right_side(right, tiles);
+    }
+    hint("Repetition shows best on an even grey or a ramp: Density, above.");
+    return changed;
+}
+
+bool draw_loupe(LoupeChoice& loupe) {
+    bool changed = switch_row("Loupe", loupe.on, "A lens that overlays the tiles: what repeats stays crisp.");
+    const Absent absent(loupe.on ? nullptr : "Applies to the loupe only.");
+    const char* const words = loupe.step == 0 ? "fitting" : loupe.step > 0 ? "smaller" : "larger";
+    changed |= slider_row("Its tiles", loupe.step,
+                          {.min = -3,
+                           .max = 3,
+                           .format = words,
+                           .tip = "Size of the overlaid tiles; a step to the right halves their side."});
+    return changed;
+}
+
+}  // namespace
+
+bool draw_compare_panel(ViewerSettings& settings, const TileList& tiles) {
+    if (!subsection("Compare")) return false;
+    const bool changed = draw_split(settings, tiles);
+    return draw_loupe(settings.loupe) || changed;
 }
 
 }  // namespace dapple

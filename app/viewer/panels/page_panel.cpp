@@ -1,7 +1,6 @@
 #include "app/viewer/panels/settings_panels.h"
 
 #include <imgui.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,10 +8,12 @@
 #include <stdexcept>
 #include <string>
 
+#include "app/viewer/model/crop_percent.h"
 #include "app/viewer/widgets/widgets.h"
 #include "io/files/sheet_files.h"
 
 namespace dapple {
+
 namespace {
 
 constexpr const char* kNamed = "The paper sets the page size. For another, choose \"custom\".";
@@ -187,6 +188,41 @@ bool draw_page_panel(PageSetup& setup, Sheet& sheets, const PageLayout& drawn, L
     if (!subsection("More page settings", false)) return changed;
     changed |= margins.draw_others();
     return draw_sheets(sheets, drawn.page, unit) || changed;
+}
+
+bool draw_crop_rows(PageSetup& setup, CropTool& tool, glm::ivec2 picture, glm::dvec2 room) {
+    if (!section("Crop")) {
+        tool.on = false;  // what cannot be seen is not to frame
+        return false;
+    }
+    std::optional<Crop>& crop = setup.crop;
+    Rectangle<double> box = crop_percent(crop, picture);
+    bool changed = false;
+    if (choice_row("Proportions", tool.proportion, names_of(tool.proportion),
+                   "Proportions that the frame keeps while dragged. page: the paper within its margins. "
+                   "Others are upright if the frame is.")) {
+        box = in_proportion(box, percent_proportion(tool.proportion, box, picture, room));
+        changed = tool.proportion != CropProportion::free;
+    }
+    switch_row("Crop frame", tool.on,
+               "Shows the whole picture with a frame around what is drawn: drag the frame, its edges or its "
+               "corners.");
+    constexpr std::array kSides{"From left, %", "From top, %", "To right, %", "To bottom, %"};
+    for (int i = 0; i < 4; ++i)
+        changed |= slider_row(kSides[static_cast<std::size_t>(i)], (i < 2 ? box.low : box.high)[i % 2],
+                              {.max = 100,
+                               .neutral = i < 2 ? 0.0 : 100.0,
+                               .format = "%.1f",
+                               .tip = i % 2 == 0 ? "In percent of the picture's width, before rotation."
+                                                 : "In percent of the picture's height, before rotation."});
+    if (changed) crop = crop_of_percent(box);
+    changed |= segmented_row("Rotate", setup.quarter_turns, std::array{"0", "90", "180", "270"},
+                             "Rotates the picture on the page, in degrees clockwise.");
+    changed |= switch_row(setting::mirror, setup.mirrored);
+    const Absent absent(crop ? nullptr : "The whole picture is drawn.");
+    if (!wide_button("Remove the crop", "Draws the whole picture.")) return changed;
+    crop.reset();
+    return true;
 }
 
 }  // namespace dapple

@@ -33,7 +33,7 @@ struct OpenSections {
 /// That of a drawing, in the order in which an artist decides.
 class SidePanel {
  public:
-    /// The folders of the person's own: see preset_row.h and palette_row.h.
+    /// The folders of the person's own: see PresetRow and PaletteRow.
     explicit SidePanel(std::filesystem::path presets = {}, std::filesystem::path palettes = {})
         : presets_(std::move(presets)), palettes_(std::move(palettes)) {}
 

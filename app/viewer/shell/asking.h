@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/viewer/background/background.h"
-#include "app/viewer/desktop/desktop_dialog.h"
+#include "app/viewer/desktop/desktop_programs.h"
 #include "app/viewer/shell/file_dialog.h"
 #include "app/viewer/shell/memory.h"
 #include "app/viewer/widgets/dialog.h"

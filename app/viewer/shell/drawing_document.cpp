@@ -10,7 +10,7 @@
 #include "app/viewer/background/small_pictures.h"
 #include "app/viewer/canvas/page_frame.h"
 #include "app/viewer/canvas/pane_view.h"
-#include "app/viewer/desktop/desktop_dialog.h"
+#include "app/viewer/desktop/desktop_programs.h"
 #include "app/viewer/desktop/pasted_picture.h"
 #include "app/viewer/panels/settings_panels.h"
 #include "app/viewer/panels/window_panels.h"

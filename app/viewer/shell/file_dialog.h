@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/viewer/desktop/desktop_dialog.h"
+#include "app/viewer/desktop/desktop_programs.h"
 #include "app/viewer/widgets/dialog.h"
 
 namespace dapple {

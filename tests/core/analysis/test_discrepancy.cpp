@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/analysis/discrepancy.h"
+#include "core/analysis/report.h"
 #include "tests/point_sets.h"
 
 using namespace dapple;

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "core/analysis/discrepancy.h"
+#include "core/analysis/report.h"
 #include "core/analysis/distances.h"
 #include "core/tile/random.h"
 #include "lab/related/bent_square.h"

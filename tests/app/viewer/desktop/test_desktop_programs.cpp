@@ -12,9 +12,8 @@
 #include <string>
 #include <thread>
 
-#include "app/viewer/desktop/desktop_dialog.h"
+#include "app/viewer/desktop/desktop_programs.h"
 #include "app/viewer/desktop/pasted_picture.h"
-#include "io/files/child_output.h"
 #include "tests/file_text.h"
 #include "tests/temporary_folder.h"
 
