@@ -422,9 +422,9 @@ void DrawingDocument::draw(const Frame& frame) {
     if (panels && session_.placed_once())
         draw_status_line({0, place.size.y + player.y + captions.y}, status_size, info());
     mask_painter_.draw(mask, session_.brush, session_.pane().page(), canvas_.camera(), place);
-    session_.attempt([&] {
+    session_.attempt([this, &canvas = place] {
         retoucher_.retouch(session_.settings.drawing.edits, session_.retouch, session_.pane().page(),
-                           canvas_.camera(), place);
+                           canvas_.camera(), canvas);
     });
     if (framing) crop_frame_.draw(crop, page.plan.framing, page.plan.opened, canvas_.camera(), place);
     draw_margin_lines(seen.page().layout, canvas_.camera(), place);
