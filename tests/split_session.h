@@ -17,6 +17,16 @@ namespace dapple {
 
 inline constexpr glm::dvec2 kCanvas{800, 600};
 
+/// Goes on as the window does, frame by frame, until `done` says so; false if it never does.
+template <class Done>
+bool comes_to(Session& session, Done done) {
+    return wait_until([&] {
+        session.take_events(std::chrono::milliseconds(0));
+        session.request_dots({.camera = fitted(kCanvas, {1, 1})});
+        return done();
+    });
+}
+
 /// A grey beside the paper's tile on the same grey.
 struct SplitSession {
     Zoom zoom{.camera = fitted(kCanvas, {1, 1})};

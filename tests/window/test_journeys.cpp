@@ -51,6 +51,18 @@ void place_anew(RunningViewer& viewer, const std::string& what, Do something) {
     REQUIRE(viewer.shows([&] { return viewer.status()["placings"] > before; }));
 }
 
+/// Takes the drawing away that was exported, saves the project by keys, and closes the window; the drawing.
+std::string taken_with_project(RunningViewer& viewer, const JourneyFolder& files) {
+    std::string exported = files.svg();
+    fs::remove(files.folder / "ramp.svg");
+    viewer.key("ctrl+shift+s");
+    REQUIRE(viewer.shows([&] { return viewer.has("Path"); }));
+    viewer.key("Return");
+    REQUIRE(viewer.shows([&] { return files.has("ramp.dapple"); }));
+    CHECK(viewer.quit() == 0);
+    return exported;
+}
+
 bool has_keys(const RunningViewer& viewer, const std::string& widget) {
     const json widgets = viewer.status()["widgets"];
     if (!widgets.contains(kRowWithKeys) || !widgets.contains(widget)) return false;
@@ -135,13 +147,7 @@ TEST_CASE("by keyboard: a picture opened, adjusted, laid out, exported and saved
         walk_to(viewer, "Accept");
         viewer.key("Return");
         REQUIRE(viewer.shows([&] { return files.has("ramp.svg") && !viewer.has("Path"); }));
-        exported = files.svg();
-        fs::remove(files.folder / "ramp.svg");
-        viewer.key("ctrl+shift+s");
-        REQUIRE(viewer.shows([&] { return viewer.has("Path"); }));
-        viewer.key("Return");
-        REQUIRE(viewer.shows([&] { return files.has("ramp.dapple"); }));
-        CHECK(viewer.quit() == 0);
+        exported = taken_with_project(viewer, files);
     }
     const json page = json::parse(text_of(files.folder / "ramp.dapple"));
     CHECK(page["drawing"]["count"] == 700);
@@ -272,13 +278,7 @@ TEST_CASE("by mouse: dots removed, added, moved, resized, whitened and lassoed, 
         REQUIRE(viewer.shows([&] { return viewer.has("Path"); }));
         viewer.key("Return");
         REQUIRE(viewer.shows([&] { return files.has("ramp.svg"); }));
-        exported = files.svg();
-        fs::remove(files.folder / "ramp.svg");
-        viewer.key("ctrl+shift+s");
-        REQUIRE(viewer.shows([&] { return viewer.has("Path"); }));
-        viewer.key("Return");
-        REQUIRE(viewer.shows([&] { return files.has("ramp.dapple"); }));
-        CHECK(viewer.quit() == 0);
+        exported = taken_with_project(viewer, files);
     }
     const std::string edits = json::parse(text_of(files.folder / "ramp.dapple"))["drawing"]["edits"];
     CHECK(std::ranges::count(edits, ';') == 8);

@@ -52,10 +52,10 @@ bool draw_mask_panel(DrawingSettings& drawing, MaskBrush& tool) {
 
 bool draw_retouch_panel(DrawingSettings& drawing, RetouchTool& tool) {
     if (!section("Retouch")) return false;
-    segmented_row("Hand", tool.hand, names_of(tool.hand),
-                  "The left mouse button takes a dot away, adds one, drags one elsewhere or, away from its "
-                  "middle, larger; whitens with a brush; or draws a lasso around what is to go. No other dot "
-                  "moves, and what was done stays with another number of dots.");
+    segmented_row("Tool", tool.hand, names_of(tool.hand),
+                  "With the left mouse button: removes a dot, adds one, moves it or, dragged away from its "
+                  "middle, enlarges it; whitens with a brush; or draws a lasso around dots to remove. Edits "
+                  "stay with any number of dots, and no other dot moves.");
     slider_row("Whitener, mm", tool.brush_mm,
                {.min = 0.2,
                 .max = 50,
@@ -63,9 +63,9 @@ bool draw_retouch_panel(DrawingSettings& drawing, RetouchTool& tool) {
                 .curve = SliderCurve::logarithmic,
                 .hard_min = 0.05,
                 .hard_max = 500,
-                .tip = "The radius on the paper of the brush that whitens."});
+                .tip = "Radius of the whitening brush, on paper."});
     const Absent absent(drawing.edits.empty() ? "Nothing is retouched." : nullptr);
-    if (wide_button("Take retouching back", "All dots are where tile and tone have them."))
+    if (wide_button("Undo all retouching", "Puts all dots back where tile and tone have them."))
         drawing.edits.clear();
     return true;
 }

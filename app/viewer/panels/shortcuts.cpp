@@ -84,7 +84,7 @@ constexpr Entry kEntries[] = {
       "Paint where to have more, fewer or no dots."}},
     {In::drawing,
      {Action::retouch, "D", "Retouch: remove, add, move or resize single dots", "Retouch",
-      "Takes single dots away, adds, moves or resizes them; a whitener and a lasso for many."}},
+      "Removes, adds, moves or resizes single dots, with a whitener and a lasso for many."}},
     {In::drawing,
      {Action::rotate, "R", "Rotate the picture by a quarter turn", "Rotate",
       "Rotates the picture clockwise."}},

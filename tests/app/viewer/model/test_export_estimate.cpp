@@ -17,7 +17,6 @@
 #include "io/files/tile_library.h"
 #include "tests/split_session.h"
 #include "tests/temporary_folder.h"
-#include "tests/wait_until.h"
 
 namespace dapple {
 
@@ -139,20 +138,13 @@ TEST_CASE("the time told for several pens is that of each one's own way") {
 
 TEST_CASE("several pens' files have about the size told before, and so has a region's") {
     TemporaryFolder folder;
-    const Zoom zoom{.camera = fitted(kCanvas, {1, 1})};
     DrawingSettings drawing;
     drawing.placing.count = 4000;
     drawing.pens = parse_pens("cmyk");
     Session session(drawing, [] {});
     session.open_sample();
     session.settings.saving.dpi = 100;
-    const auto brings = [&](auto done) {
-        return wait_until([&] {
-            session.take_events(std::chrono::milliseconds(0));
-            session.request_dots(zoom);
-            return done();
-        });
-    };
+    const auto brings = [&](auto done) { return comes_to(session, done); };
     REQUIRE(brings([&] { return session.placed_once() && session.pane().page().settled(); }));
     for (const char* const name :
          {"a.svg", "a.png", "a.csv", "a.pdf", "a.tif", "a.gcode", "a.dxf", "r.svg", "r.png", "r.csv"}) {
@@ -169,19 +161,12 @@ TEST_CASE("several pens' files have about the size told before, and so has a reg
 
 TEST_CASE("saved files have the order and resolution chosen, and about the size told before") {
     TemporaryFolder folder;
-    const Zoom zoom{.camera = fitted(kCanvas, {1, 1})};
     Session session(DrawingSettings{}, [] {});
     session.open_sample();
     session.settings.drawing.show_tiles = true;
     session.settings.saving = {DotOrder::priority, 80};
     DotsRequest request = dots_request(session.settings);
-    const auto brings = [&](auto done) {
-        return wait_until([&] {
-            session.take_events(std::chrono::milliseconds(0));
-            session.request_dots(zoom);
-            return done();
-        });
-    };
+    const auto brings = [&](auto done) { return comes_to(session, done); };
     REQUIRE(brings([&] { return session.pane().page().request == request; }));
     for (const char* const name : {"a.svg", "a.png", "a.csv", "a.pdf", "a.tif", "a.gcode"}) {
         CAPTURE(name);

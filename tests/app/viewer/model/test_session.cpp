@@ -15,7 +15,6 @@
 #include "tests/file_text.h"
 #include "tests/split_session.h"
 #include "tests/temporary_folder.h"
-#include "tests/wait_until.h"
 
 namespace dapple {
 
@@ -74,13 +73,7 @@ TEST_CASE("a drawing has changes until it is undone, or saved in what holds its 
     session.settings.drawing.placing.count = 500;
     session.begin_with(session.settings);
     session.open_sample();
-    const auto brings = [&](auto done) {
-        return wait_until([&] {
-            session.take_events(std::chrono::milliseconds(0));
-            session.request_dots({.camera = fitted(kCanvas, {1, 1})});
-            return done();
-        });
-    };
+    const auto brings = [&](auto done) { return comes_to(session, done); };
     const auto change = [&](float brightness) {
         session.settings.drawing.tone.brightness = brightness;
         session.remember(false);
@@ -200,15 +193,8 @@ TEST_CASE("what is said of a placing that failed goes with the next one that doe
 
 TEST_CASE("another picture is not saved over the one before") {
     TemporaryFolder folder;
-    const Zoom zoom{.camera = fitted(kCanvas, {1, 1})};
     Session session(DrawingSettings{}, [] {});
-    const auto brings = [&](auto done) {
-        return wait_until([&] {
-            session.take_events(std::chrono::milliseconds(0));
-            session.request_dots(zoom);
-            return done();
-        });
-    };
+    const auto brings = [&](auto done) { return comes_to(session, done); };
     session.open_sample();
     REQUIRE(brings([&] { return session.placed_once(); }));
     session.save(folder / "a.csv");
@@ -233,14 +219,7 @@ TEST_CASE("a placing that takes too long can be given up: drawing and settings a
     session.settings.drawing.placing.count = 1000;
     session.settings.drawing.relax = 0;
     session.open_sample();
-    const Zoom zoom{.camera = fitted(kCanvas, {1, 1})};
-    const auto brings = [&](auto done) {
-        return wait_until([&] {
-            session.take_events(std::chrono::milliseconds(0));
-            session.request_dots(zoom);
-            return done();
-        });
-    };
+    const auto brings = [&](auto done) { return comes_to(session, done); };
     REQUIRE(brings([&] { return session.pane().page().dots.size() == 1000; }));
     session.settings.drawing.placing.count = 10'000'000;
     REQUIRE(brings([&] { return session.pane().worker().placing_since().has_value(); }));
@@ -258,14 +237,7 @@ TEST_CASE("a drawing that relaxes is kept with the steps that it has when its wo
     session.settings.drawing.placing.count = 200'000;
     session.settings.drawing.relax = 100;
     session.open_sample();
-    const Zoom zoom{.camera = fitted(kCanvas, {1, 1})};
-    const auto brings = [&](auto done) {
-        return wait_until([&] {
-            session.take_events(std::chrono::milliseconds(0));
-            session.request_dots(zoom);
-            return done();
-        });
-    };
+    const auto brings = [&](auto done) { return comes_to(session, done); };
     REQUIRE(brings([&] { return session.placed_once(); }));
     REQUIRE_FALSE(session.pane().page().settled());
     session.stop_placing();
@@ -345,11 +317,8 @@ TEST_CASE(
     session.settings.drawing.placing.count = 100;
     session.open_sample();
     const auto framing_is = [&](auto&& right) {
-        return wait_until([&] {
-            session.take_events(std::chrono::milliseconds(0));
-            session.request_dots({.camera = fitted(kCanvas, {1, 1})});
-            return session.placed_once() && right(session.pane().page().plan.framing);
-        });
+        return comes_to(session,
+                        [&] { return session.placed_once() && right(session.pane().page().plan.framing); });
     };
     const auto is_whole = [&](const Framing& framing) {
         return framing.pixels == Rectangle<int>{{0, 0}, session.pane().page().plan.opened};
@@ -381,11 +350,7 @@ TEST_CASE(
             session.settings.drawing.tone.exposure = *stops;
         }
         session.open(file);
-        REQUIRE(wait_until([&] {
-            session.take_events(std::chrono::milliseconds(0));
-            session.request_dots({.camera = fitted(kCanvas, {1, 1})});
-            return session.placed_once() && !session.picture().file.empty();
-        }));
+        REQUIRE(comes_to(session, [&] { return session.placed_once() && !session.picture().file.empty(); }));
         drawn_with = session.pane().page().plan.tone.exposure;
         return session.pane().page().dots.size();
     };
