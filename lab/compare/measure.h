@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include "core/analysis/report.h"
 #include "core/analysis/distances.h"
 #include "core/analysis/periodogram.h"
+#include "core/analysis/report.h"
 #include "core/image/ink.h"
 #include "lab/compare/cell_marks.h"
 #include "lab/compare/contenders.h"

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "core/analysis/report.h"
 #include "core/analysis/distances.h"
+#include "core/analysis/report.h"
 #include "core/tile/random.h"
 #include "lab/related/bent_square.h"
 #include "lab/related/best_candidate.h"
