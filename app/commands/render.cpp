@@ -315,9 +315,11 @@ Rendered saved_part(const PlacedPicture& placed, const RenderOptions& options, S
     if (bytes >= kReportedSize) stages.say(fmt::format("about {} will be written", bytes_in_words(*bytes)));
     stages.begin(fmt::format("writing {} dots", grouped(dots.count)), 0.7, 1);
     const DotPieces* const measured = dots.count <= kMostSortedDots ? held.get() : nullptr;
-    // Writing waits for the disk, or for one thread that compresses.
-    std::future<DrawingFigures> figures =
-        std::async(std::launch::async, [&] { return figures_of(plan, page, drawing, measured); });
+    // Writing waits for the disk, or for one thread that compresses. Nobody else reads the figures.
+    std::future<DrawingFigures> figures = std::async(std::launch::async, [&] {
+        return options.stats || prints_advice(options) ? figures_of(plan, page, drawing, measured)
+                                                       : DrawingFigures{};
+    });
     save_ordered(drawing, {.stop = {}, .progress = [&](double share) { stages.show(share); }});
     times.write = stages.lap();
     stages.end();

@@ -106,7 +106,8 @@ void print_summary(const RenderOptions& options, const Rendered& drawn) {
         : drawn.plotting && drawn.order == DotOrder::space && !options.saving.order
             ? " (along a curve, for this many dots; --order shortest finds a shorter route)"
             : "";
-    const bool alike = !has_several_sizes(options.drawing) && drawn.pens.empty() && !drawn.strokes;
+    const bool alike =
+        !has_several_sizes(options.drawing) && drawn.pens.empty() && !draws_strokes(options.drawing);
     const std::string wide =
         alike && drawn.dots > 0 ? fmt::format(", {} wide", millimetres_in_words(2 * drawn.radius_mm)) : "";
     const std::string dots = dots_in_words(drawn.dots) + size + wide;

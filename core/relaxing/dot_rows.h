@@ -79,6 +79,7 @@ struct PageRows {
     float width, height;  // of the page
     float spacing;        // of dots on black, 0.7 to 1.5; up to a million where there are hardly any
     double pixels;        // of the density, a row's height
+    double page_units;    // a row's height
 
     PageRows(const Density& density, double scale)
         : depth(depth_for(scale)),
@@ -86,13 +87,11 @@ struct PageRows {
           height(rows(density.height(), density)),
           spacing(
               static_cast<float>(std::min(std::ldexp(1.0, depth) / std::sqrt(kDotsPerScale * scale), kMost))),
-          pixels(std::ldexp(static_cast<double>(density.longer_side()), -depth)) {}
+          pixels(std::ldexp(static_cast<double>(density.longer_side()), -depth)),
+          page_units(std::ldexp(1.0, -depth)) {}
 
     /// On the page, of a place in rows.
-    glm::dvec2 place(float x, float y) const {
-        const double units = std::ldexp(1.0, -depth);
-        return {x * units, y * units};
-    }
+    glm::dvec2 place(float x, float y) const { return {x * page_units, y * page_units}; }
 
     static int depth_for(double scale) {
         return std::max(

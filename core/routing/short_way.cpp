@@ -487,7 +487,7 @@ void uncross(std::span<const float> x, std::span<const float> y, std::vector<std
 constexpr std::size_t kWindow = 10'000;
 // A chain of turns has at most so many, and tries so many ways on after none, one and two; then one.
 constexpr std::size_t kLongestChain = 4;
-constexpr std::array<std::size_t, 3> kBreadth{4, 2, 1};
+constexpr std::array<std::size_t, 2> kBreadth{3, 1};
 // The share of all the time that windows take.
 constexpr double kInWindows = 0.7;
 // Guards against a search that never ends; how near real drawings come to it has not been measured.
@@ -745,11 +745,14 @@ std::vector<std::uint32_t> greedy_way(std::span<const float> x, std::span<const 
     std::vector<std::uint32_t> ends = pieces.ends(), near_ends;
     while (pieces.count() > 1) {
         std::vector<Link> links;
-        for (std::size_t i = 0; i < ends.size(); ++i) {
-            for (std::size_t k = 0; k < kNearDots; ++k) {
-                const std::uint32_t a = ends[i], b = ends[near[i * kNearDots + k]];
+        for (std::uint32_t i = 0; i < ends.size(); ++i) {
+            for (const std::uint32_t other : near.subspan(i * kNearDots, kNearDots)) {
+                // Two that are near each other are one link.
+                if (other < i && std::ranges::count(near.subspan(other * kNearDots, kNearDots), i) > 0)
+                    continue;
+                const std::uint32_t a = ends[std::min(i, other)], b = ends[std::max(i, other)];
                 const float across = x[a] - x[b], down = y[a] - y[b];
-                links.push_back({across * across + down * down, std::min(a, b), std::max(a, b)});
+                links.push_back({across * across + down * down, a, b});
             }
         }
         std::ranges::sort(links);
