@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <limits>
 #include <string>
 
 #include "core/output/drawing_format.h"
@@ -24,19 +23,13 @@ class TableWriter : public InkWriter {
     void write_row(const InkDot& dot) {
         const TileRank rank =
             (page_.figure8 ? figure8_rank_of : tile_rank_of)(dot.threshold, page_.tile_size);
-        // Most dots are as large as the one before, and a number's digits take time.
-        if (dot.radius_mm != radius_mm_) radius_ = fmt::format(",{},", radius_mm_ = dot.radius_mm);
-        text_ << dot.at.x << ',' << dot.at.y << radius_ << std::int64_t{rank.level} << ','
+        text_ << dot.at.x << ',' << dot.at.y << ',' << dot.radius_mm << ',' << std::int64_t{rank.level} << ','
               << std::int64_t{rank.rank} << ',' << dot.critical;
     }
 
     TextBuffer text_;
     const InkPage& page_;
     int pen_ = 0;
-
- private:
-    double radius_mm_ = std::numeric_limits<double>::quiet_NaN();
-    std::string radius_;  // that, between commas
 };
 
 class CsvWriter : public TableWriter {

@@ -158,16 +158,6 @@ class RoutePieces {
 
 // A way through dots whose links do not cross.
 
-/// Improves an open way, the dots' indices, until no two of its links cross: where two do, the part between
-/// them is turned round, which is always shorter (Flood 1956). Unlike moves between near dots it sees what a
-/// long link leads past: each link looks, in a tree of boxes around links, for those that cross it or lie
-/// about it, with which it could be exchanged for two shorter ones (2-opt), and for rows of one to three dots
-/// that are on its way (Or-opt). The way is never longer than it was. All links are looked at side by side in
-/// threads, and those that gain are moved in one: the result depends on the dots and the way alone. When
-/// stopped, what was reached is left.
-void uncross(std::span<const float> x, std::span<const float> y, std::vector<std::uint32_t>& way,
-             const Watch& watch = {});
-
 constexpr std::uint32_t kFan = 4;  // links in a box, boxes in one of the next level
 constexpr int kLongestRow = 3;     // of dots that are carried into a link
 // How much further off than a link is long the others are that it sees, over their own length.
@@ -444,13 +434,18 @@ std::vector<std::uint32_t> make_move(LinkedTour& tour, const Move& move) {
     return {a, b, c, d, end, next};
 }
 
+// Improves an open way, the dots' indices, until no two of its links cross: where two do, the part between
+// them is turned round, which is always shorter (Flood 1956). Unlike moves between near dots it sees what a
+// long link leads past: each link looks, in a tree of boxes around links, for those that cross it or lie
+// about it, with which it could be exchanged for two shorter ones (2-opt), and for rows of one to three dots
+// that are on its way (Or-opt). The way is never longer than it was. All links are looked at side by side in
+// threads, and those that gain are moved in one: the result depends on the dots and the way alone. When
+// stopped, what was reached is left.
 void uncross(std::span<const float> x, std::span<const float> y, std::vector<std::uint32_t>& way,
              const Watch& watch) {
     if (way.size() < 4) return;
     LinkedTour tour(x, y, way);
-    double length = 0;
-    for (std::uint32_t link = 0; link < tour.size(); ++link) length += tour.length(link);
-    const double least_gain = kLeastGain * length / tour.size();
+    const double least_gain = kLeastGain * way_length(x, y, way) / tour.size();
     std::vector<char> waits(tour.size());
     std::size_t looked_at = 0;
     std::mutex telling;
@@ -485,9 +480,8 @@ void uncross(std::span<const float> x, std::span<const float> y, std::vector<std
 // Consecutive dots that are improved at once. Larger windows hinder fewer dots at their borders, but turning
 // parts of them round costs more.
 constexpr std::size_t kWindow = 10'000;
-// A chain of turns has at most so many, and tries so many ways on after none, one and two; then one.
-constexpr std::size_t kLongestChain = 4;
-constexpr std::array<std::size_t, 2> kBreadth{3, 1};
+// A chain of turns has at most so many, and tries so many ways to begin.
+constexpr std::size_t kLongestChain = 4, kBeginnings = 3;
 // The share of all the time that windows take.
 constexpr double kInWindows = 0.7;
 // Guards against a search that never ends; how near real drawings come to it has not been measured.
@@ -512,8 +506,7 @@ class Window {
         for (std::size_t i = 0; i < near_.size(); ++i)
             near_length_[i] = distance(static_cast<std::uint32_t>(i / kNearDots), near_[i]);
         // Gains below this are rounding.
-        double length = 0;
-        for (std::uint32_t i = 1; i < joint_; ++i) length += distance(i - 1, i);
+        const double length = way_length(x_, y_);
         least_gain_ = 1e-9 * length;
         held_ = 10 * length + 1;
     }
@@ -672,8 +665,7 @@ class Window {
             choices[place] = choice;
         }
         const std::size_t depth = turns_.size();
-        const std::size_t most = depth < kBreadth.size() ? kBreadth[depth] : 1;
-        for (std::size_t i = 0; i < std::min(count, most); ++i) {
+        for (std::size_t i = 0; i < std::min(count, depth == 0 ? kBeginnings : 1); ++i) {
             const auto [left, c, d] = choices[i];
             const bool gains = left - distance(a, c) > least_gain_;
             if (!gains && depth + 1 == kLongestChain) continue;
