@@ -11,7 +11,7 @@ const inBase64 = (bytes) => bytes.toString("base64");
 // For lzma.js. xz leaves the size open, which it reads from a pipe.
 function packedEngine() {
     const bytes = readFileSync(engine);
-    const packed = execFileSync("xz", ["--format=lzma", "--lzma1=preset=9e,pb=0"], {input: bytes, maxBuffer: bytes.length});
+    const packed = execFileSync("xz", ["--format=lzma", "--lzma1=preset=9e,pb=0,nice=64"], {input: bytes, maxBuffer: bytes.length});
     packed.writeBigUInt64LE(BigInt(bytes.length), 5);
     return packed;
 }
